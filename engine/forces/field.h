@@ -1,0 +1,45 @@
+// The acceleration field of a world, its potential beside it so that energy cannot drift from force.
+#pragma once
+
+#include <vector>
+
+#include "math/vector.h"
+#include "state/world.h"
+
+namespace wells {
+
+/// Gravity and wells as they act during one step. Drag is not a field: see dragFactor.
+struct Field {
+  Vec3 gravity = Vec3::Zero();  // m/s^2
+  std::vector<Well> wells;      // switched on ones only
+};
+
+Field fieldOf(const World& world);
+
+/// Acceleration (m/s^2) at `position` (m), `t` seconds after the start of the step.
+inline Vec3 acceleration(const Field& field, const Vec3& position, double t) {
+  Vec3 sum = field.gravity;
+  for (const Well& well : field.wells) {
+    const Vec3 d = well.position + well.velocity * t - position;
+    const double s2 = squaredLength(d) + well.softening * well.softening;
+    sum += d * (well.strength / (s2 * std::sqrt(s2)));
+  }
+  return sum;
+}
+
+/// Potential energy per mass (m^2/s^2) at `position`, at the start of the step. Gravity's is zero at
+/// `origin`.
+inline double potential(const Field& field, const Vec3& position, const Vec3& origin) {
+  double sum = -dot(field.gravity, position - origin);
+  for (const Well& well : field.wells) {
+    const Vec3 d = well.position - position;
+    sum -= well.strength / std::sqrt(squaredLength(d) + well.softening * well.softening);
+  }
+  return sum;
+}
+
+/// What drag multiplies a velocity by over h seconds: drag^h, drag being the factor per second
+/// (the report's d). Exactly 1 without drag.
+double dragFactor(double drag, double h);
+
+}  // namespace wells

@@ -1,0 +1,33 @@
+// The whole world at the start of a step: data only.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "state/arena.h"
+#include "state/balls.h"
+#include "state/settings.h"
+#include "state/wells.h"
+
+namespace wells {
+
+/// Who computes a ball. A ghost is another peer's ball: it is predicted between its owner's states
+/// and takes part in contacts with owned balls.
+enum class Role : std::uint8_t { Owned, Ghost };
+
+struct World {
+  Settings settings;
+  Arena arena;
+  std::vector<WellTrack> tracks;  // how the wells move
+  Balls balls;
+  std::vector<Role> roles;        // by ball; empty: all owned (alone)
+  std::int64_t step = 0;          // steps done; time is step * dt
+
+  double time() const { return static_cast<double>(step) * settings.dt; }  // s
+  bool owns(std::size_t ball) const { return roles.empty() || roles[ball] == Role::Owned; }
+};
+
+/// The wells that act during the step that starts now, those that are off left out.
+std::vector<Well> activeWells(const World& world);
+
+}  // namespace wells
