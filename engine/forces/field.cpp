@@ -4,7 +4,9 @@
 
 namespace wells {
 
-Field fieldOf(const World& world) { return {world.settings.gravity, activeWells(world)}; }
+Field fieldOf(const World& world) {
+  return {world.settings.gravity, activeWells(world)};
+}
 
 double dragFactor(double drag, double h) {
   return drag == 1 ? 1 : exponential(h * naturalLogarithm(drag));

@@ -1,4 +1,5 @@
-// The acceleration field of a world, its potential beside it so that energy cannot drift from force.
+// The acceleration field of a world, its potential beside it so that energy cannot drift from
+// force.
 #pragma once
 
 #include <vector>
@@ -27,8 +28,8 @@ inline Vec3 acceleration(const Field& field, const Vec3& position, double t) {
   return sum;
 }
 
-/// Potential energy per mass (m^2/s^2) at `position`, at the start of the step. Gravity's is zero at
-/// `origin`.
+/// Potential energy per mass (m^2/s^2) at `position`, at the start of the step. Gravity's is zero
+/// at `origin`.
 inline double potential(const Field& field, const Vec3& position, const Vec3& origin) {
   double sum = -dot(field.gravity, position - origin);
   for (const Well& well : field.wells) {

@@ -34,10 +34,14 @@ SinCos sinCosOfTurns(double turns) {
   const double c = cosineNearZero(x);
   const double modulo = nearest - 4 * std::floor(nearest / 4);
   switch (static_cast<int>(modulo)) {
-    case 0: return {s, c};
-    case 1: return {c, -s};
-    case 2: return {-s, -c};
-    default: return {-c, s};
+    case 0:
+      return {s, c};
+    case 1:
+      return {c, -s};
+    case 2:
+      return {-s, -c};
+    default:
+      return {-c, s};
   }
 }
 

@@ -5,7 +5,9 @@
 namespace wells {
 namespace {
 
-double seconds(StepTimer::Clock::duration d) { return std::chrono::duration<double>(d).count(); }
+double seconds(StepTimer::Clock::duration d) {
+  return std::chrono::duration<double>(d).count();
+}
 
 }  // namespace
 

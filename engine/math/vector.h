@@ -23,10 +23,14 @@ inline Vec3 cross(const Vec3& a, const Vec3& b) {
           a.x() * b.y() - a.y() * b.x()};
 }
 
-inline double squaredLength(const Vec3& a) { return dot(a, a); }
+inline double squaredLength(const Vec3& a) {
+  return dot(a, a);
+}
 
 /// Euclidean length; sqrt is correctly rounded everywhere, unlike the rest of libm.
-inline double length(const Vec3& a) { return std::sqrt(squaredLength(a)); }
+inline double length(const Vec3& a) {
+  return std::sqrt(squaredLength(a));
+}
 
 inline bool isFinite(const Vec3& a) {
   return std::isfinite(a.x()) && std::isfinite(a.y()) && std::isfinite(a.z());

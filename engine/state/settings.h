@@ -10,16 +10,16 @@ namespace wells {
 
 struct Settings {
   // Physics.
-  double dt = 1.0 / 60;                // s, > 0; one step
-  Vec3 gravity = Vec3{0, -9.81, 0};    // m/s^2; zero for none
-  double drag = 1;                     // velocity factor per second, in (0, 1]; 1: none
-  double elasticity = 0.8;             // coefficient of restitution, 0 .. 1
-  double friction = 0.3;               // Coulomb's coefficient, >= 0
+  double dt = 1.0 / 60;              // s, > 0; one step
+  Vec3 gravity = Vec3{0, -9.81, 0};  // m/s^2; zero for none
+  double drag = 1;                   // velocity factor per second, in (0, 1]; 1: none
+  double elasticity = 0.8;           // coefficient of restitution, 0 .. 1
+  double friction = 0.3;             // Coulomb's coefficient, >= 0
 
   // Method.
-  std::string integrator = "leapfrog"; // a name of flight/integrators.h
-  int substeps = 4;                    // of a ball that may touch something, >= 1
-  int iterations = 2;                  // solver passes a substep, >= 1
+  std::string integrator = "leapfrog";  // a name of flight/integrators.h
+  int substeps = 4;                     // of a ball that may touch something, >= 1
+  int iterations = 2;                   // solver passes a substep, >= 1
 };
 
 }  // namespace wells

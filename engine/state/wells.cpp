@@ -8,9 +8,9 @@ namespace wells {
 
 Well wellAt(const WellTrack& track, std::int64_t step, double dt) {
   const auto& keys = track.keyframes;
-  const auto next = std::upper_bound(
-      keys.begin(), keys.end(), step,
-      [](std::int64_t s, const WellKeyframe& key) { return s < key.step; });
+  const auto next =
+      std::upper_bound(keys.begin(), keys.end(), step,
+                       [](std::int64_t s, const WellKeyframe& key) { return s < key.step; });
   Well well{.softening = track.softening, .peer = track.peer};
   if (next == keys.begin()) {
     well.position = next->position;

@@ -20,8 +20,8 @@ struct World {
   Arena arena;
   std::vector<WellTrack> tracks;  // how the wells move
   Balls balls;
-  std::vector<Role> roles;        // by ball; empty: all owned (alone)
-  std::int64_t step = 0;          // steps done; time is step * dt
+  std::vector<Role> roles;  // by ball; empty: all owned (alone)
+  std::int64_t step = 0;    // steps done; time is step * dt
 
   double time() const { return static_cast<double>(step) * settings.dt; }  // s
   bool owns(std::size_t ball) const { return roles.empty() || roles[ball] == Role::Owned; }
