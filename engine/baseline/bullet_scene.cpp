@@ -1,0 +1,133 @@
+#include "baseline/bullet_scene.h"
+
+#include <cmath>
+
+#include "math/elementary.h"
+
+namespace wells {
+namespace {
+
+btScalar single(double x) {
+  return static_cast<btScalar>(x);
+}
+
+btVector3 toBullet(const Vec3& v) {
+  return {single(v.x()), single(v.y()), single(v.z())};
+}
+
+Vec3 fromBullet(const btVector3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+}  // namespace
+
+BulletScene::BulletScene(const World& world, BulletSleeping sleeping)
+    : arena_(world.arena), radii_(world.balls.radius), masses_(world.balls.mass) {
+  addGround();
+  addWall(world.arena.radius);
+  addBalls(world.balls, sleeping);
+  apply(world.settings);
+}
+
+bool BulletScene::fits(const World& world) const {
+  return arena_.center == world.arena.center && arena_.radius == world.arena.radius &&
+         radii_ == world.balls.radius && masses_ == world.balls.mass;
+}
+
+void BulletScene::apply(const Settings& settings) {
+  world_.setGravity(toBullet(settings.gravity));
+  const btScalar restitution = std::sqrt(single(settings.elasticity));
+  const btScalar friction = std::sqrt(single(settings.friction));
+  for (const auto& body : statics_) {
+    body->setRestitution(restitution);
+    body->setFriction(friction);
+  }
+  for (const auto& body : balls_) {
+    body->setRestitution(restitution);
+    body->setFriction(friction);
+    body->setDamping(single(1 - settings.drag), 0);
+    // The world's setGravity passes over bodies that sleep; whoever changes the rules wakes them.
+    body->setGravity(toBullet(settings.gravity));
+    body->activate();
+  }
+}
+
+BallState BulletScene::ball(std::size_t i) const {
+  const btRigidBody& body = *balls_[i];
+  return {arena_.center + fromBullet(body.getWorldTransform().getOrigin()),
+          fromBullet(body.getLinearVelocity()), fromBullet(body.getAngularVelocity())};
+}
+
+void BulletScene::setBall(std::size_t i, const BallState& state) {
+  btRigidBody& body = *balls_[i];
+  btTransform place = body.getWorldTransform();
+  place.setOrigin(toBullet(state.position - arena_.center));
+  body.setCenterOfMassTransform(place);
+  body.setLinearVelocity(toBullet(state.velocity));
+  body.setAngularVelocity(toBullet(state.spin));
+  body.activate();
+}
+
+void BulletScene::addForce(std::size_t i, const Vec3& force) {
+  balls_[i]->applyCentralForce(toBullet(force));
+}
+
+void BulletScene::step(double dt) {
+  world_.stepSimulation(single(dt), 0);
+}
+
+StepCounts BulletScene::counts() const {
+  StepCounts counts;
+  counts.candidatePairs = broadphase_.getOverlappingPairCache()->getNumOverlappingPairs();
+  for (int i = 0; i < dispatcher_.getNumManifolds(); ++i) {
+    counts.contacts += dispatcher_.getManifoldByIndexInternal(i)->getNumContacts();
+  }
+  return counts;
+}
+
+void BulletScene::addBalls(const Balls& balls, BulletSleeping sleeping) {
+  balls_.reserve(balls.size());
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    btSphereShape& shape =
+        spheres_.try_emplace(balls.radius[i], single(balls.radius[i])).first->second;
+    const btScalar mass = single(balls.mass[i]);
+    btVector3 inertia;
+    shape.calculateLocalInertia(mass, inertia);
+    auto& body = balls_.emplace_back(std::make_unique<btRigidBody>(
+        btRigidBody::btRigidBodyConstructionInfo{mass, nullptr, &shape, inertia}));
+    if (sleeping == BulletSleeping::Off) body->setActivationState(DISABLE_DEACTIVATION);
+    setBall(i, balls.state(i));
+    world_.addRigidBody(body.get());
+  }
+}
+
+void BulletScene::addGround() {
+  addStatic(ground_, btTransform::getIdentity());
+}
+
+void BulletScene::addWall(double radius) {
+  // Long enough for neighbours to meet behind the outer corners too.
+  const SinCos half = sinCosOfTurns(0.5 / kWallBoxes);
+  const double halfLength = (radius + kWallThickness) * half.sin / half.cos;
+  wallBox_ = std::make_unique<btBoxShape>(
+      btVector3{single(kWallThickness / 2), single(kWallHeight), single(halfLength)});
+  const double distance = radius + kWallThickness / 2;
+  for (int i = 0; i < kWallBoxes; ++i) {
+    const double turns = static_cast<double>(i) / kWallBoxes;
+    const SinCos angle = sinCosOfTurns(turns);
+    btTransform place;
+    // A positive turn about y takes +x towards -z.
+    place.setRotation(btQuaternion{btVector3{0, 1, 0}, single(-2 * kPi * turns)});
+    place.setOrigin(toBullet(Vec3{distance * angle.cos, 0, distance * angle.sin}));
+    addStatic(*wallBox_, place);
+  }
+}
+
+void BulletScene::addStatic(btCollisionShape& shape, const btTransform& place) {
+  auto& body = statics_.emplace_back(
+      std::make_unique<btRigidBody>(btRigidBody::btRigidBodyConstructionInfo{0, nullptr, &shape}));
+  body->setWorldTransform(place);
+  world_.addRigidBody(body.get());
+}
+
+}  // namespace wells
