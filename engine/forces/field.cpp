@@ -5,7 +5,11 @@
 namespace wells {
 
 Field fieldOf(const World& world) {
-  return {world.settings.gravity, activeWells(world)};
+  return fieldAt(world, world.step);
+}
+
+Field fieldAt(const World& world, std::int64_t step) {
+  return {world.settings.gravity, activeWells(world, step)};
 }
 
 double dragFactor(double drag, double h) {

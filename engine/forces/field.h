@@ -15,7 +15,11 @@ struct Field {
   std::vector<Well> wells;      // switched on ones only
 };
 
+/// The field of the step that starts now.
 Field fieldOf(const World& world);
+
+/// The field of the step that starts at `step`.
+Field fieldAt(const World& world, std::int64_t step);
 
 /// Acceleration (m/s^2) at `position` (m), `t` seconds after the start of the step.
 inline Vec3 acceleration(const Field& field, const Vec3& position, double t) {

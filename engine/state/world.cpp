@@ -2,11 +2,11 @@
 
 namespace wells {
 
-std::vector<Well> activeWells(const World& world) {
+std::vector<Well> activeWells(const World& world, std::int64_t step) {
   std::vector<Well> wells;
   wells.reserve(world.tracks.size());
   for (const WellTrack& track : world.tracks) {
-    const Well well = wellAt(track, world.step, world.settings.dt);
+    const Well well = wellAt(track, step, world.settings.dt);
     if (well.strength != 0) wells.push_back(well);
   }
   return wells;

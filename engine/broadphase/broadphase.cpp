@@ -1,0 +1,143 @@
+#include "broadphase/broadphase.h"
+
+#include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
+
+#include <cmath>
+
+#include "math/elementary.h"
+
+// Bullet's two builds share their headers; a forgotten BT_USE_DOUBLE_PRECISION would link and then
+// read floats as doubles.
+static_assert(sizeof(btScalar) == sizeof(double), "the broadphase needs Bullet's double build");
+
+namespace wells {
+namespace {
+
+// What is added to a swept box, in radii. Larger: fewer proxies move, more pairs are listed.
+// T1 with 10,000 balls, 300 steps: see README.md, "Benchmark".
+constexpr double kFattening = 0.5;
+constexpr int kWallPieces = 64;
+constexpr double kFarAway = 1e15;  // m; beyond any arena, and still exact enough to sort
+
+// What a proxy stands for, kept in Bullet's user pointer.
+enum Partner : std::intptr_t { kGroundProxy = -1, kWallProxy = -2 };
+
+std::intptr_t partnerOf(const btBroadphaseProxy* proxy) {
+  return reinterpret_cast<std::intptr_t>(proxy->m_clientObject);
+}
+
+btVector3 toBullet(const Vec3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+}  // namespace
+
+struct Broadphase::Bullet {
+  btDbvtBroadphase broadphase;
+  std::vector<btBroadphaseProxy*> proxies;  // by ball; null: not finite, in no pair
+  std::vector<double> radius;               // m, as built
+  Arena arena;
+
+  btBroadphaseProxy* add(const Vec3& low, const Vec3& high, std::intptr_t partner) {
+    // Ground and wall (group 2) pair with balls (group 1) only.
+    const int group = partner < 0 ? 2 : 1;
+    const int mask = partner < 0 ? 1 : 3;
+    return broadphase.createProxy(toBullet(low), toBullet(high), 0,
+                                  reinterpret_cast<void*>(partner), group, mask, nullptr);
+  }
+
+  void addArena() {
+    const Vec3 c = arena.center;
+    add({c.x() - kFarAway, c.y() - kFarAway, c.z() - kFarAway},
+        {c.x() + kFarAway, c.y(), c.z() + kFarAway}, kGroundProxy);
+    // Each piece covers everything beyond the wall in its sector as well, so that a ball cannot
+    // pass it by in one step.
+    const double inner = arena.radius;
+    const double outer = kFarAway;
+    for (int piece = 0; piece < kWallPieces; ++piece) {
+      const SinCos from = sinCosOfTurns(static_cast<double>(piece) / kWallPieces);
+      const SinCos to = sinCosOfTurns(static_cast<double>(piece + 1) / kWallPieces);
+      Vec3 low{kFarAway, -kFarAway, kFarAway};
+      Vec3 high{-kFarAway, kFarAway, -kFarAway};
+      for (const SinCos& edge : {from, to})
+        for (const double r : {inner, outer}) {
+          low.x() = std::min(low.x(), r * edge.cos);
+          low.z() = std::min(low.z(), r * edge.sin);
+          high.x() = std::max(high.x(), r * edge.cos);
+          high.z() = std::max(high.z(), r * edge.sin);
+        }
+      // Multiples of a quarter turn are edges of pieces, so the corners bound the arc itself.
+      add(c + low, c + high, kWallProxy);
+    }
+  }
+};
+
+Broadphase::Broadphase() = default;
+Broadphase::~Broadphase() = default;
+
+void Broadphase::build(const World& world) {
+  bullet_ = std::make_unique<Bullet>();
+  bullet_->arena = world.arena;
+  bullet_->radius = world.balls.radius;
+  bullet_->broadphase.m_deferedcollide = true;  // one pass over the trees instead of one per proxy
+  bullet_->addArena();
+  bullet_->proxies.assign(world.balls.size(), nullptr);
+}
+
+void Broadphase::update(const World& world, std::span<const double> reach) {
+  const Balls& balls = world.balls;
+  if (!bullet_ || bullet_->proxies.size() != balls.size() || bullet_->radius != balls.radius ||
+      bullet_->arena.center != world.arena.center || bullet_->arena.radius != world.arena.radius)
+    build(world);
+
+  moved_ = 0;
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    btBroadphaseProxy*& proxy = bullet_->proxies[i];
+    if (!isFinite(balls.position[i]) || !std::isfinite(reach[i])) {
+      if (proxy) bullet_->broadphase.destroyProxy(proxy, nullptr);
+      proxy = nullptr;
+      continue;
+    }
+    const double half = balls.radius[i] + reach[i];
+    const Vec3 swept = Vec3::Constant(half);
+    const Vec3 fat = Vec3::Constant(half + kFattening * balls.radius[i]);
+    const Vec3& x = balls.position[i];
+    if (!proxy) {
+      proxy = bullet_->add(x - fat, x + fat, static_cast<std::intptr_t>(i));
+      ++moved_;
+      continue;
+    }
+    const btVector3 low = toBullet(x - swept);
+    const btVector3 high = toBullet(x + swept);
+    const bool inside = low.x() >= proxy->m_aabbMin.x() && high.x() <= proxy->m_aabbMax.x() &&
+                        low.y() >= proxy->m_aabbMin.y() && high.y() <= proxy->m_aabbMax.y() &&
+                        low.z() >= proxy->m_aabbMin.z() && high.z() <= proxy->m_aabbMax.z();
+    if (inside) continue;
+    bullet_->broadphase.setAabb(proxy, toBullet(x - fat), toBullet(x + fat), nullptr);
+    ++moved_;
+  }
+  bullet_->broadphase.calculateOverlappingPairs(nullptr);
+  list();
+}
+
+void Broadphase::list() {
+  ballPairs_.clear();
+  nearGround_.clear();
+  nearWall_.clear();
+  const btBroadphasePairArray& pairs =
+      bullet_->broadphase.getOverlappingPairCache()->getOverlappingPairArray();
+  for (int n = 0; n < pairs.size(); ++n) {
+    std::intptr_t first = partnerOf(pairs[n].m_pProxy0);
+    std::intptr_t second = partnerOf(pairs[n].m_pProxy1);
+    if (first > second) std::swap(first, second);
+    const auto ball = static_cast<std::uint32_t>(second);
+    if (first == kGroundProxy)
+      nearGround_.push_back(ball);
+    else if (first == kWallProxy)
+      nearWall_.push_back(ball);
+    else
+      ballPairs_.push_back({static_cast<std::uint32_t>(first), ball});
+  }
+}
+
+}  // namespace wells

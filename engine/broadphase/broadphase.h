@@ -1,0 +1,60 @@
+// Candidate pairs from Bullet's broadphase: which balls may touch which balls, the ground or the
+// wall during a step.
+//
+// Balls, ground and wall are proxies of a btDbvtBroadphase. A ball's box is swept over the step and
+// fattened, and its proxy is touched only when the swept ball leaves the fat box, so that most
+// steps move few proxies. The wall is a ring of boxes, so that only balls near it pair with it. The
+// pairs are a superset: what is near is decided by exact gaps, in contacts/.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "state/world.h"
+
+namespace wells {
+
+/// Two balls, a < b.
+struct BallPair {
+  std::uint32_t a;
+  std::uint32_t b;
+  bool operator==(const BallPair&) const = default;
+};
+
+class Broadphase {
+ public:
+  Broadphase();
+  ~Broadphase();
+  Broadphase(const Broadphase&) = delete;
+  Broadphase& operator=(const Broadphase&) = delete;
+
+  /// Brings the boxes up to date and lists the candidate pairs. reach[i] (m, >= 0) bounds how far
+  /// ball i may move in the step: every pair whose gap is at most the sum of its reaches is
+  /// listed. A change in the number of balls or in the arena starts afresh. A ball whose
+  /// position or reach is not finite is in no pair.
+  void update(const World& world, std::span<const double> reach);
+
+  /// Of the last update, in no particular order; a pair stands at most once.
+  const std::vector<BallPair>& ballPairs() const { return ballPairs_; }
+  const std::vector<std::uint32_t>& nearGround() const { return nearGround_; }
+  /// A ball may stand several times, once for each piece of the ring that it is near.
+  const std::vector<std::uint32_t>& nearWall() const { return nearWall_; }
+
+  /// Proxies that the last update moved, for benchmarks.
+  std::int64_t moved() const { return moved_; }
+
+ private:
+  struct Bullet;
+  void build(const World& world);
+  void list();
+
+  std::unique_ptr<Bullet> bullet_;
+  std::vector<BallPair> ballPairs_;
+  std::vector<std::uint32_t> nearGround_;
+  std::vector<std::uint32_t> nearWall_;
+  std::int64_t moved_ = 0;
+};
+
+}  // namespace wells

@@ -1,0 +1,67 @@
+// One contact, and the exact geometry of spheres against spheres, the ground plane and the inside
+// of the wall. No polygons, no tolerances.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "state/arena.h"
+#include "state/balls.h"
+
+namespace wells {
+
+// What stands in Contact::b when the partner is not a ball.
+inline constexpr std::uint32_t kGround = 0xffffffff;
+inline constexpr std::uint32_t kWall = 0xfffffffe;
+
+/// A possible contact of ball a with ball b, the ground or the wall. The normal points from a to b;
+/// impulses are those on a along -normal and in the tangent plane, on b the opposite.
+struct Contact {
+  std::uint32_t a = 0;
+  std::uint32_t b = 0;
+  Vec3 normal = Vec3::Zero();          // unit
+  double gap = 0;                      // m; < 0 is overlap
+  double inverseMassA = 0;             // 1/kg
+  double inverseMassB = 0;             // 1/kg; 0: ground or wall
+  bool impact = false;                 // closes faster than forces explain: an instant, not a rest
+  double bounceSpeed = 0;              // m/s, separating speed that restitution asks for
+  double normalImpulse = 0;            // N s, >= 0, of the last substep
+  Vec3 tangentImpulse = Vec3::Zero();  // N s on a, of the last substep
+};
+
+/// Unit vector from a to b and the gap between two spheres. Coincident centres have no direction;
+/// they get +y, so that a push-out has somewhere to go.
+inline void touchBalls(const Balls& balls, Contact& c) {
+  const Vec3 d = balls.position[c.b] - balls.position[c.a];
+  const double distance = length(d);
+  c.normal = distance > 0 ? Vec3(d / distance) : Vec3(0, 1, 0);
+  c.gap = distance - (balls.radius[c.a] + balls.radius[c.b]);
+}
+
+inline double groundGap(const Arena& arena, const Vec3& position, double radius) {
+  return position.y() - arena.center.y() - radius;
+}
+
+inline double wallGap(const Arena& arena, const Vec3& position, double radius) {
+  const double x = position.x() - arena.center.x();
+  const double z = position.z() - arena.center.z();
+  return arena.radius - radius - std::sqrt(x * x + z * z);
+}
+
+/// The normal points out of the arena: down at the ground, outward at the wall. On the axis the
+/// wall has no nearest point; there the normal is +x.
+inline void touchArena(const Arena& arena, const Balls& balls, Contact& c) {
+  const Vec3& position = balls.position[c.a];
+  if (c.b == kGround) {
+    c.normal = {0, -1, 0};
+    c.gap = groundGap(arena, position, balls.radius[c.a]);
+    return;
+  }
+  const double x = position.x() - arena.center.x();
+  const double z = position.z() - arena.center.z();
+  const double fromAxis = std::sqrt(x * x + z * z);
+  c.normal = fromAxis > 0 ? Vec3(x / fromAxis, 0, z / fromAxis) : Vec3(1, 0, 0);
+  c.gap = arena.radius - balls.radius[c.a] - fromAxis;
+}
+
+}  // namespace wells

@@ -1,0 +1,38 @@
+// Sequential impulses: all contacts of a substep resolved one after another, a few times over, each
+// impulse accumulated and clamped (Catto, "Iterative Dynamics with Temporal Coherence", GDC 2005;
+// substeps instead of many iterations: Macklin et al., "Small Steps in Physics Simulation", SCA
+// 2019). First order in time through an impact: it is noticed at the end of its substep.
+#pragma once
+
+#include <span>
+
+#include "contacts/contact.h"
+#include "state/settings.h"
+
+namespace wells {
+
+/// The contacts that may close during a step, those between balls apart from those with the arena.
+/// Order is the order of resolution: the arena comes last, because its word is final.
+struct ContactLists {
+  std::span<Contact> balls;
+  std::span<Contact> arena;
+};
+
+/// Ends a substep of h seconds: the balls have flown it without regard to each other, and
+/// `velocityBefore` (by ball) is what they had at its start. Changes velocities and spins so that
+/// no contact closes, with
+///  - restitution: a contact that closes faster than kRestFactor times the speed which forces
+///    built up within the substep bounces with e times its closing speed; a slower one rests. Where
+///    no force acts, every contact bounces;
+///  - Coulomb friction with spin: the tangent impulse brings the surfaces to rest if
+///    mu times the normal impulse suffices, else it has that size;
+/// and positions so that a force of contact acts over the substep as a constant force would, and
+/// what overlap remains is pushed out. Push-out changes no velocity.
+/// Starts from the impulses that `contacts` hold from the substep before (zero is fine) and leaves
+/// the new ones there.
+void resolveContacts(const Settings& settings, const Arena& arena, double h,
+                     const ContactLists& contacts, const Vec3* velocityBefore, Balls& balls);
+
+inline constexpr double kRestFactor = 2;
+
+}  // namespace wells

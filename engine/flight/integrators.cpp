@@ -1,0 +1,36 @@
+#include "flight/integrators.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <stdexcept>
+#include <vector>
+
+#include "flight/methods.h"
+
+namespace wells {
+namespace {
+
+constexpr Integrator kIntegrators[] = {
+    {"symplectic-euler", "kick, then drift; what most engines do", 1, 1, flySymplecticEuler},
+    {"leapfrog", "drift, kick, drift; exact for constant gravity", 2, 1, flyLeapfrog},
+    {"rk4", "textbook Runge-Kutta, the force evaluated anew at each stage", 4, 4, flyRungeKutta4},
+};
+
+}  // namespace
+
+std::span<const Integrator> integrators() {
+  return kIntegrators;
+}
+
+const Integrator& findIntegrator(std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const Integrator& integrator : kIntegrators) {
+    if (integrator.name == name) return integrator;
+    names.push_back(integrator.name);
+  }
+  throw std::invalid_argument(
+      fmt::format("integrator '{}' is unknown; allowed: {}", name, fmt::join(names, ", ")));
+}
+
+}  // namespace wells

@@ -1,0 +1,12 @@
+// The integrators' functions, for their table alone; see integrators.h.
+#pragma once
+
+#include "flight/integrators.h"
+
+namespace wells {
+
+void flySymplecticEuler(const Flight&, std::span<const std::uint32_t>, Vec3*, Vec3*);
+void flyLeapfrog(const Flight&, std::span<const std::uint32_t>, Vec3*, Vec3*);
+void flyRungeKutta4(const Flight&, std::span<const std::uint32_t>, Vec3*, Vec3*);
+
+}  // namespace wells

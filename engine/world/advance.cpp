@@ -1,0 +1,40 @@
+#include "world/advance.h"
+
+#include "contacts/sequential_impulses.h"
+
+namespace wells {
+namespace {
+
+constexpr double kReachMargin = 0.1;  // of the radius
+
+}  // namespace
+
+double reachOf(const Field& field, const BallState& ball, double radius, double dt) {
+  const double speed = length(ball.velocity);
+  return (speed + length(acceleration(field, ball.position, 0)) * dt) * dt + kReachMargin * radius;
+}
+
+bool mayTouchArena(const Arena& arena, const Vec3& position, double radius, double reach,
+                   std::uint32_t partner) {
+  const double gap =
+      partner == kGround ? groundGap(arena, position, radius) : wallGap(arena, position, radius);
+  return gap <= reach;
+}
+
+void advance(const Settings& settings, const Arena& arena, const Field& field,
+             const Integrator& integrator, StepPlan& plan, Balls& balls) {
+  Vec3* const position = balls.position.data();
+  Vec3* const velocity = balls.velocity.data();
+  integrator.fly({&field, 0, settings.dt, settings.drag}, plan.free, position, velocity);
+
+  const double h = settings.dt / settings.substeps;
+  plan.velocityBefore.resize(balls.size());
+  for (int substep = 0; substep < settings.substeps && !plan.touching.empty(); ++substep) {
+    for (const std::uint32_t i : plan.touching) plan.velocityBefore[i] = velocity[i];
+    integrator.fly({&field, substep * h, h, settings.drag}, plan.touching, position, velocity);
+    resolveContacts(settings, arena, h, {plan.ballContacts, plan.arenaContacts},
+                    plan.velocityBefore.data(), balls);
+  }
+}
+
+}  // namespace wells

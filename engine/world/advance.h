@@ -1,0 +1,38 @@
+// The part of a step that needs no broadphase: flight, substeps and contacts of balls whose
+// possible contacts are known. Shared by the simulation and by the prediction of single balls, so
+// that both compute the same bits.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "contacts/contact.h"
+#include "flight/integrators.h"
+#include "state/world.h"
+
+namespace wells {
+
+/// The possible contacts of one step and the balls they leave alone.
+struct StepPlan {
+  std::vector<Contact> ballContacts;    // by (a, b)
+  std::vector<Contact> arenaContacts;   // by (a, b)
+  std::vector<std::uint32_t> free;      // balls that can touch nothing in this step
+  std::vector<std::uint32_t> touching;  // the others
+  std::vector<Vec3> velocityBefore;     // by ball, scratch
+};
+
+/// How far a ball may move during a step (m): by its speed, by twice what its present acceleration
+/// could add, and by a tenth of its radius for what an impact within the step changes. Two balls
+/// may touch when their gap is at most the sum of their reaches.
+double reachOf(const Field& field, const BallState& ball, double radius, double dt);
+
+/// True when ball `i` may touch the partner (kGround or kWall) of the arena in this step.
+bool mayTouchArena(const Arena& arena, const Vec3& position, double radius, double reach,
+                   std::uint32_t partner);
+
+/// Advances all balls of the plan by settings.dt: the free ones in one flight, the touching ones in
+/// substeps.
+void advance(const Settings& settings, const Arena& arena, const Field& field,
+             const Integrator& integrator, StepPlan& plan, Balls& balls);
+
+}  // namespace wells

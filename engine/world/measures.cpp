@@ -1,0 +1,111 @@
+#include "world/measures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include "forces/field.h"
+#include "math/hash.h"
+
+namespace wells {
+namespace {
+
+bool isFiniteBall(const Balls& balls, std::uint32_t i) {
+  return isFinite(balls.position[i]) && isFinite(balls.velocity[i]) && isFinite(balls.spin[i]);
+}
+
+/// Kinetic and potential energy, momentum and angular momentum of one ball.
+void addMechanics(const World& world, const Field& field, std::uint32_t i, Measures& sum) {
+  const Balls& balls = world.balls;
+  const double mass = balls.mass[i];
+  const Vec3& v = balls.velocity[i];
+  const Vec3 p = mass * v;
+  const double inertia = kInertiaFactor * mass * balls.radius[i] * balls.radius[i];
+  sum.kineticEnergy += 0.5 * (dot(p, v) + inertia * squaredLength(balls.spin[i]));
+  sum.potentialEnergy += mass * potential(field, balls.position[i], world.arena.center);
+  sum.momentum += p;
+  sum.angularMomentum += cross(balls.position[i] - world.arena.center, p) + inertia * balls.spin[i];
+}
+
+void addArenaOverlaps(const World& world, std::uint32_t i, Measures& sum) {
+  const Vec3 d = world.balls.position[i] - world.arena.center;
+  const double radius = world.balls.radius[i];
+  const double fromAxis = std::sqrt(d.x() * d.x() + d.z() * d.z());
+  const double belowGround = radius - d.y();
+  const double beyondWall = fromAxis + radius - world.arena.radius;
+  if (belowGround > 0) ++sum.groundContacts;
+  if (beyondWall > 0) ++sum.wallContacts;
+  if (d.y() < 0 || fromAxis > world.arena.radius) ++sum.escaped;
+  sum.groundOverlap = std::max(sum.groundOverlap, belowGround);
+  sum.wallOverlap = std::max(sum.wallOverlap, beyondWall);
+}
+
+/// Sort and sweep along x. On purpose not the broadphase that the step uses: a pair that it missed
+/// shows here.
+void addBallOverlaps(const Balls& balls, std::vector<std::uint32_t> sorted, Measures& sum) {
+  std::sort(sorted.begin(), sorted.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return balls.position[a].x() - balls.radius[a] < balls.position[b].x() - balls.radius[b];
+  });
+  for (std::size_t n = 0; n < sorted.size(); ++n) {
+    const std::uint32_t a = sorted[n];
+    const double end = balls.position[a].x() + balls.radius[a];
+    for (std::size_t m = n + 1; m < sorted.size(); ++m) {
+      const std::uint32_t b = sorted[m];
+      if (balls.position[b].x() - balls.radius[b] > end) break;
+      const double touching = balls.radius[a] + balls.radius[b];
+      const double squared = squaredLength(balls.position[a] - balls.position[b]);
+      if (squared >= touching * touching) continue;
+      ++sum.ballContacts;
+      sum.ballOverlap = std::max(sum.ballOverlap, touching - std::sqrt(squared));
+    }
+  }
+}
+
+}  // namespace
+
+double Measures::worstOverlap() const {
+  return std::max({ballOverlap, groundOverlap, wallOverlap});
+}
+
+Measures measure(const World& world, std::span<const std::uint32_t> balls) {
+  Measures sum;
+  const Field field = fieldOf(world);
+  std::vector<std::uint32_t> finite;
+  finite.reserve(balls.size());
+  for (const std::uint32_t i : balls) {
+    if (!isFiniteBall(world.balls, i)) {
+      ++sum.escaped;
+      continue;
+    }
+    finite.push_back(i);
+    addMechanics(world, field, i, sum);
+    addArenaOverlaps(world, i, sum);
+  }
+  addBallOverlaps(world.balls, std::move(finite), sum);
+  return sum;
+}
+
+Measures measure(const World& world) {
+  std::vector<std::uint32_t> all(world.balls.size());
+  std::iota(all.begin(), all.end(), 0u);
+  return measure(world, all);
+}
+
+std::uint64_t stateHash(const World& world) {
+  Hash hash;
+  hash.add(static_cast<std::uint64_t>(world.step));
+  for (std::size_t i = 0; i < world.balls.size(); ++i) {
+    hash.add(world.balls.position[i]);
+    hash.add(world.balls.velocity[i]);
+    hash.add(world.balls.spin[i]);
+  }
+  return hash.value();
+}
+
+std::string hashText(std::uint64_t hash) {
+  return fmt::format("{:016x}", hash);
+}
+
+}  // namespace wells

@@ -1,0 +1,152 @@
+#include "world/simulation.h"
+
+#include <algorithm>
+
+#include "broadphase/broadphase.h"
+#include "world/advance.h"
+
+namespace wells {
+namespace {
+
+bool before(const Contact& x, const Contact& y) {
+  return x.a != y.a ? x.a < y.a : x.b < y.b;
+}
+
+/// Takes over the impulses of the contacts that were there in the step before; calls
+/// appeared(contact) for the others. Both lists are in order.
+template <class Appeared>
+void warmStartFrom(const std::vector<Contact>& old, std::vector<Contact>& contacts,
+                   Appeared appeared) {
+  auto match = old.begin();
+  for (Contact& c : contacts) {
+    while (match != old.end() && before(*match, c)) ++match;
+    if (match == old.end() || match->a != c.a || match->b != c.b) {
+      appeared(c);
+      continue;
+    }
+    c.impact = match->impact;
+    c.normalImpulse = match->normalImpulse;
+    c.tangentImpulse = match->tangentImpulse;
+  }
+}
+
+class Simulation : public Stepper {
+ public:
+  std::string name() const override { return "ours"; }
+  std::string integrator() const override { return integrator_; }
+  std::string contactMethod() const override { return "substep"; }
+  StepCounts counts() const override { return counts_; }
+
+  void step(World& world) override {
+    const Field field = fieldOf(world);
+    const Integrator& integrator = findIntegrator(world.settings.integrator);
+    findReaches(world, field);
+    broadphase_.update(world, reach_);
+    planContacts(world);
+    planFlights(world);
+    advance(world.settings, world.arena, field, integrator, plan_, world.balls);
+    ++world.step;
+    integrator_ = integrator.name;
+  }
+
+ private:
+  void findReaches(const World& world, const Field& field) {
+    const Balls& balls = world.balls;
+    reach_.resize(balls.size());
+    for (std::size_t i = 0; i < balls.size(); ++i)
+      reach_[i] = reachOf(field, balls.state(i), balls.radius[i], world.settings.dt);
+  }
+
+  void planContacts(const World& world) {
+    std::swap(plan_.ballContacts, oldBallContacts_);
+    std::swap(plan_.arenaContacts, oldArenaContacts_);
+    collectBallContacts(world);
+    collectArenaContacts(world);
+    counts_.latePairs = 0;
+    warmStartFrom(oldBallContacts_, plan_.ballContacts, [&](const Contact& c) {
+      // Already deep in overlap and never announced: the broadphase, or our bound on how far a
+      // ball moves, has missed it. Other peers' balls jump when their states arrive.
+      Contact now = c;
+      touchBalls(world.balls, now);
+      const double tolerated = kLateOverlap * (world.balls.radius[c.a] + world.balls.radius[c.b]);
+      if (stepped_ && now.gap < -tolerated && world.owns(c.a) && world.owns(c.b))
+        ++counts_.latePairs;
+    });
+    warmStartFrom(oldArenaContacts_, plan_.arenaContacts, [](const Contact&) {});
+    counts_.contacts =
+        static_cast<std::int64_t>(plan_.ballContacts.size() + plan_.arenaContacts.size());
+    stepped_ = true;
+  }
+
+  void collectBallContacts(const World& world) {
+    const Balls& balls = world.balls;
+    plan_.ballContacts.clear();
+    sortedPairs_.clear();
+    for (const BallPair& pair : broadphase_.ballPairs()) {
+      // Nobody here answers for a contact between two other peers' balls.
+      if (!world.owns(pair.a) && !world.owns(pair.b)) continue;
+      const double bound =
+          balls.radius[pair.a] + balls.radius[pair.b] + reach_[pair.a] + reach_[pair.b];
+      if (squaredLength(balls.position[pair.b] - balls.position[pair.a]) > bound * bound) continue;
+      sortedPairs_.push_back(std::uint64_t{pair.a} << 32 | pair.b);
+    }
+    // The broadphase's order depends on its history; ours must not.
+    std::sort(sortedPairs_.begin(), sortedPairs_.end());
+    for (const std::uint64_t pair : sortedPairs_)
+      plan_.ballContacts.push_back(
+          {.a = static_cast<std::uint32_t>(pair >> 32), .b = static_cast<std::uint32_t>(pair)});
+    counts_.candidatePairs =
+        static_cast<std::int64_t>(broadphase_.ballPairs().size() + broadphase_.nearGround().size() +
+                                  broadphase_.nearWall().size());
+  }
+
+  void collectArenaContacts(const World& world) {
+    plan_.arenaContacts.clear();
+    const auto collect = [&](const std::vector<std::uint32_t>& candidates, std::uint32_t partner) {
+      for (const std::uint32_t i : candidates)
+        if (mayTouchArena(world.arena, world.balls.position[i], world.balls.radius[i], reach_[i],
+                          partner))
+          plan_.arenaContacts.push_back({.a = i, .b = partner});
+    };
+    collect(broadphase_.nearWall(), kWall);
+    collect(broadphase_.nearGround(), kGround);
+    auto& contacts = plan_.arenaContacts;
+    std::sort(contacts.begin(), contacts.end(), before);
+    // A ball near two pieces of the wall stands twice.
+    contacts.erase(
+        std::unique(contacts.begin(), contacts.end(),
+                    [](const Contact& x, const Contact& y) { return x.a == y.a && x.b == y.b; }),
+        contacts.end());
+  }
+
+  void planFlights(const World& world) {
+    isTouching_.assign(world.balls.size(), 0);
+    for (const Contact& c : plan_.ballContacts) isTouching_[c.a] = isTouching_[c.b] = 1;
+    for (const Contact& c : plan_.arenaContacts) isTouching_[c.a] = 1;
+    plan_.free.clear();
+    plan_.touching.clear();
+    for (std::uint32_t i = 0; i < isTouching_.size(); ++i)
+      (isTouching_[i] ? plan_.touching : plan_.free).push_back(i);
+  }
+
+  static constexpr double kLateOverlap = 1e-6;  // of the sum of radii
+
+  Broadphase broadphase_;
+  StepPlan plan_;
+  StepCounts counts_;
+  std::string integrator_;
+  bool stepped_ = false;
+  std::vector<double> reach_;  // m, by ball
+  std::vector<std::uint64_t> sortedPairs_;
+  std::vector<std::uint8_t> isTouching_;
+  std::vector<Contact> oldBallContacts_;
+  std::vector<Contact> oldArenaContacts_;
+};
+
+}  // namespace
+
+std::unique_ptr<Stepper> makeSimulation() {
+  return std::make_unique<Simulation>();
+}
+
+}  // namespace wells
