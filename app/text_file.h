@@ -1,0 +1,21 @@
+// Whole text files: reading by line, and writing so that a reader never sees a part.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace wells {
+
+/// The lines without their ends (LF or CRLF) and without a UTF-8 byte order mark. Throws UsageError
+/// when the file cannot be read.
+std::vector<std::string> readLines(const std::filesystem::path& file);
+
+/// Writes a temporary file beside `file` and renames it. Throws RunError.
+void writeAtomically(const std::filesystem::path& file, std::string_view text);
+
+/// Throws UsageError unless a file can be created in the folder of `file`. `option` is named.
+void requireWritable(std::string_view option, const std::filesystem::path& file);
+
+}  // namespace wells

@@ -1,0 +1,166 @@
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+
+#include "ball_file.h"
+#include "errors.h"
+#include "math/random.h"
+#include "own_well.h"
+#include "temporary_folder.h"
+#include "text_file.h"
+
+namespace wells {
+namespace {
+
+constexpr const char* kRow = ",1,2,3,4,5,6,7,8,9,0.5,1\n";
+
+std::string errorOf(const std::filesystem::path& file) {
+  try {
+    readBalls(file);
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(BallFile, ReadsBackTheSameBits) {
+  Random random(7);
+  const auto number = [&] {
+    return (random.uniform() - 0.5) * std::pow(10, random.uniform(-8, 6));
+  };
+  Balls balls;
+  for (int i = 0; i < 1000; ++i) {
+    balls.add({.position = {number(), number(), number()},
+               .velocity = {number(), -0.0, number()},
+               .spin = {number(), number(), 0}},
+              std::abs(number()) + 1e-9, std::abs(number()) + 1e-9);
+  }
+  const TemporaryFolder folder;
+  writeAtomically(folder / "balls.csv", ballsAsCsv(balls));
+  const Balls again = readBalls(folder / "balls.csv");
+  ASSERT_EQ(again.size(), balls.size());
+  const auto sameBits = [](const Vec3& a, const Vec3& b) {
+    for (int k = 0; k < 3; ++k)
+      if (std::bit_cast<std::uint64_t>(a[k]) != std::bit_cast<std::uint64_t>(b[k])) return false;
+    return true;
+  };
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    EXPECT_TRUE(sameBits(again.position[i], balls.position[i])) << i;
+    EXPECT_TRUE(sameBits(again.velocity[i], balls.velocity[i])) << i;
+    EXPECT_TRUE(sameBits(again.spin[i], balls.spin[i])) << i;
+    EXPECT_EQ(again.radius[i], balls.radius[i]);
+    EXPECT_EQ(again.mass[i], balls.mass[i]);
+  }
+}
+
+TEST(BallFile, TakesRowsInAnyOrder) {
+  const TemporaryFolder folder;
+  const auto file =
+      folder.write("b.csv", std::string(kBallsHeader) +
+                                "\n1,10,0,0,0,0,0,0,0,0,0.5,1\n0,20,0,0,0,0,0,0,0,0,1,2\n");
+  const Balls balls = readBalls(file);
+  ASSERT_EQ(balls.size(), 2u);
+  EXPECT_EQ(balls.position[0].x(), 20);
+  EXPECT_EQ(balls.position[1].x(), 10);
+  EXPECT_EQ(balls.mass[0], 2);
+}
+
+struct BadTable {
+  const char* text;
+  const char* message;
+};
+
+TEST(BallFile, RefusesBadTables) {
+  const TemporaryFolder folder;
+  const std::string header = std::string(kBallsHeader) + "\n";
+  const std::string good = std::string("0") + kRow;
+  const std::pair<std::string, const char*> cases[] = {
+      {"", ":1: the file is empty"},
+      {"id,x,y\n", ":1: the header is \"id,x,y\"; allowed: exactly"},
+      {header + "0,1,2\n", ":2: 3 cell(s); allowed: 12"},
+      {header + good + "0" + kRow, ":3: id=0: already in line 2; allowed: each of 0 to 1 once"},
+      {header + "1" + kRow, ":2: id=1: out of range; allowed: a whole number 0 to 0"},
+      {header + "zero" + kRow, ":2: id=zero: not a whole number"},
+      {header + "0,1,2,3,4,5,6,7,8,9,-0.5,1\n",
+       ":2: radius=-0.5: out of range; allowed: a number above 0"},
+      {header + "0,1,2,3,4,5,6,7,8,9,0.5,0\n", ":2: mass=0: out of range"},
+      {header + "0,1,2,3,nan,5,6,7,8,9,0.5,1\n", ":2: vx=nan: not a finite number"},
+      {header + "0,1,2,3,4,5,6,7,8,,0.5,1\n", ":2: wz=: the value is missing"},
+      {header + "0,1,2,3 m,4,5,6,7,8,9,0.5,1\n", ":2: z=3 m: \"m\" after the number"},
+  };
+  for (const auto& [text, message] : cases) {
+    const auto file = folder.write("b.csv", text);
+    EXPECT_NE(errorOf(file).find(file.string() + message), std::string::npos)
+        << errorOf(file) << "\nexpected " << message;
+  }
+  EXPECT_NE(errorOf(folder / "absent.csv").find("cannot be read"), std::string::npos);
+}
+
+TEST(TextFile, LeavesTheOldFileWhenItCannotWrite) {
+  EXPECT_THROW(writeAtomically("/proc/absent/file", "x"), RunError);
+  EXPECT_THROW(requireWritable("--report", "/proc/absent/file"), UsageError);
+}
+
+TEST(OwnWell, CircleKeepsItsRadiusPeriodAndStart) {
+  Config config;
+  config.arena.center = {5, 1, -3};
+  config.wellPath = {.kind = WellPath::Kind::Circle, .radius = 12, .period = 30};
+  const double dt = 1.0 / 60;
+  const OwnWell well(config, PeerId{3}, dt);  // peer 3 stands a quarter turn from +x, at +z
+  EXPECT_NEAR((well.start().position - Vec3(5, 1.5, 9)).norm(), 0, 1e-12);
+  const WellTrack track = well.track(1800);
+  for (const WellKeyframe& key : track.keyframes) {
+    EXPECT_NEAR((key.position - Vec3(5, 1.5, -3)).norm(), 12, 1e-12);
+    const double angle = 2 * M_PI * (0.25 + static_cast<double>(key.step) * dt / 30);
+    EXPECT_NEAR(
+        (key.position - Vec3(5 + 12 * std::cos(angle), 1.5, -3 + 12 * std::sin(angle))).norm(), 0,
+        1e-9);
+  }
+  EXPECT_EQ(track.keyframes.back().step, 1800);
+  EXPECT_NEAR((track.keyframes.back().position - well.start().position).norm(), 0, 1e-9);
+}
+
+TEST(OwnWell, KeyframesComeInPiecesWithoutGapOrOverlap) {
+  Config config;
+  config.wellPath = {.kind = WellPath::Kind::Circle, .radius = 5, .period = -7};
+  const OwnWell well(config, PeerId{1}, 1.0 / 60);
+  std::vector<WellKeyframe> pieces;
+  for (std::int64_t step = 0; step < 500; step += 25)
+    for (const WellKeyframe& key : well.keyframes(step, step + 25)) pieces.push_back(key);
+  const auto whole = well.keyframes(0, 500);
+  ASSERT_EQ(pieces.size(), whole.size());
+  for (std::size_t i = 0; i < whole.size(); ++i) EXPECT_EQ(pieces[i].step, whole[i].step);
+}
+
+TEST(OwnWell, FollowsAKeyframeFile) {
+  const TemporaryFolder folder;
+  Config config;
+  config.wellPath = {.kind = WellPath::Kind::Keyframes,
+                     .file = folder.write("p.csv", "t,x,y,z,strength\n1,0,1,0,10\n2,4,1,0,20\n")};
+  const OwnWell well(config, PeerId{1}, 0.01);
+  const WellTrack track = well.track(1000);
+  EXPECT_EQ(wellAt(track, 0, 0.01).position, Vec3(0, 1, 0));
+  EXPECT_NEAR(wellAt(track, 150, 0.01).position.x(), 2, 1e-12);
+  EXPECT_EQ(wellAt(track, 150, 0.01).strength, 10);
+  EXPECT_EQ(wellAt(track, 200, 0.01).strength, 20);
+  EXPECT_EQ(wellAt(track, 900, 0.01).position, Vec3(4, 1, 0));
+}
+
+TEST(OwnWell, RefusesTimesThatDoNotRise) {
+  const TemporaryFolder folder;
+  Config config;
+  config.wellPath = {.kind = WellPath::Kind::Keyframes,
+                     .file = folder.write("p.csv", "t,x,y,z,strength\n1,0,1,0,10\n1,4,1,0,20\n")};
+  try {
+    const OwnWell well(config, PeerId{1}, 0.01);
+    FAIL();
+  } catch (const UsageError& error) {
+    EXPECT_NE(std::string(error.what()).find("p.csv:3: t=1: not later than the line before"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace wells
