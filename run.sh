@@ -1,0 +1,86 @@
+#!/usr/bin/env bash
+# Gravity Wells: installs what is missing, builds what has changed, and runs.
+set -euo pipefail
+
+root=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
+program=$root/build/release/gravity-wells
+default_url="udpm://239.255.76.67:9171?ttl=0&recv_buf_size=2097152"
+
+usage() {
+  cat <<END
+usage: ./run.sh [demo] [OPTION...]     two peers on this machine share a world for 10 s (the default)
+       ./run.sh peer [OPTION...]       one peer; ./run.sh peer --help lists its options
+       ./run.sh bench [OPTION...]      one scene, measured; ./run.sh bench --help
+       ./run.sh spy [OPTION...]        lcm-spy, with our message types
+       ./run.sh lcm-logger [OPTION...] [FILE]     records a session
+       ./run.sh lcm-logplayer [OPTION...] FILE    plays one back
+       ./run.sh help
+
+spy, lcm-logger and lcm-logplayer use the URL of a session with the default settings,
+  $default_url
+unless --lcm-url=URL or the variable LCM_DEFAULT_URL names another.
+END
+}
+
+build_program() { "$root/app/build.sh" gravity-wells gravity-wells-bullet; }
+
+# LCM's own tools: those that come with the wheel, or the system's.
+lcm_tool() {
+  local tool
+  for tool in "$root"/.venv/lib/python3*/site-packages/bin/"$1"; do
+    if [[ -x $tool ]]; then
+      echo "$tool"
+      return
+    fi
+  done
+  command -v "$1"
+}
+
+# The demonstration disturbs no network: it gets one of its own where the machine allows that.
+demo() {
+  build_program
+  if unshare -rn true 2>/dev/null; then
+    exec unshare -rn "$root/app/with_loopback_multicast.sh" "$program" demo "$@"
+  fi
+  exec "$program" demo "$@"
+}
+
+spy() {
+  "$root/app/build.sh" --with spy gravity_wells_types_jar
+  if [[ -z ${DISPLAY-} ]]; then
+    echo "run: lcm-spy opens a window, and DISPLAY names no screen" >&2
+    exit 1
+  fi
+  export CLASSPATH=$root/build/release/lcm_types/gravity_wells_types.jar
+  exec "$(lcm_tool lcm-spy)" "$@"
+}
+
+export LCM_DEFAULT_URL=${LCM_DEFAULT_URL-$default_url}
+case ${1-} in
+  "" | -h | --help | help)
+    if (($# == 0)); then demo; fi
+    usage
+    ;;
+  demo)
+    shift
+    demo "$@"
+    ;;
+  -*) demo "$@" ;;
+  peer | bench)
+    build_program
+    exec "$program" "$@"
+    ;;
+  spy)
+    shift
+    spy "$@"
+    ;;
+  lcm-logger | lcm-logplayer)
+    "$root/app/install.sh"
+    exec "$(lcm_tool "$1")" "${@:2}"
+    ;;
+  *)
+    usage >&2
+    echo "run: unknown command \"$1\"" >&2
+    exit 2
+    ;;
+esac
