@@ -19,7 +19,7 @@ log=$build/build.log
 quietly() {
   local what=$1 notice
   shift
-  (sleep 2 && echo "build: $what; the first time takes some minutes (see $log)" >&2) 9>&- &
+  (sleep 2 >/dev/null 2>&1 && echo "build: $what; the first time takes some minutes (see $log)" >&2) 9>&- &
   notice=$!
   if ! "$@" >"$log" 2>&1; then
     kill "$notice" 2>/dev/null || true
