@@ -7,7 +7,7 @@ namespace {
 
 // Share of a remaining overlap between balls that one substep pushes out. All of it at once makes a
 // heap hop: each push-out creates the neighbour's overlap. The arena does not give way: all.
-constexpr double kPushOutBalls = 0.3;
+constexpr double kPushOutBalls = 0.6;
 constexpr double kPushOutArena = 1.0;
 
 // Angular velocity times radius that a tangent impulse of 1 N s gives a ball of 1 kg: r^2 m / I.

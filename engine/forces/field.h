@@ -11,8 +11,8 @@ namespace wells {
 
 /// Gravity and wells as they act during one step. Drag is not a field: see dragFactor.
 struct Field {
-  Vec3 gravity = Vec3::Zero();  // m/s^2
-  std::vector<Well> wells;      // switched on ones only
+  Vec3 gravity = Vec3::Zero();   // m/s^2
+  std::vector<Well> wells = {};  // switched on ones only
 };
 
 /// The field of the step that starts now.

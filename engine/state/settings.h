@@ -19,7 +19,7 @@ struct Settings {
   // Method.
   std::string integrator = "leapfrog";  // a name of flight/integrators.h
   int substeps = 4;                     // of a ball that may touch something, >= 1
-  int iterations = 2;                   // solver passes a substep, >= 1
+  int iterations = 4;                   // solver passes a substep, >= 1
 };
 
 }  // namespace wells

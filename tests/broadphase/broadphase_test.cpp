@@ -1,0 +1,138 @@
+#include "broadphase/broadphase.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "math/random.h"
+
+namespace wells {
+namespace {
+
+using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
+
+// All pairs whose gap is within the sum of their reaches: what the broadphase must not miss.
+Pairs bruteForce(const World& world, const std::vector<double>& reach) {
+  const Balls& b = world.balls;
+  Pairs pairs;
+  for (std::uint32_t i = 0; i < b.size(); ++i)
+    for (std::uint32_t j = i + 1; j < b.size(); ++j)
+      if (length(b.position[i] - b.position[j]) - b.radius[i] - b.radius[j] <= reach[i] + reach[j])
+        pairs.emplace(i, j);
+  return pairs;
+}
+
+void expectComplete(const World& world, const std::vector<double>& reach, const Broadphase& found) {
+  Pairs listed;
+  for (const BallPair& pair : found.ballPairs()) {
+    EXPECT_LT(pair.a, pair.b);
+    EXPECT_TRUE(listed.emplace(pair.a, pair.b).second) << "pair listed twice";
+  }
+  for (const auto& pair : bruteForce(world, reach))
+    EXPECT_TRUE(listed.contains(pair)) << pair.first << " " << pair.second;
+
+  const std::set<std::uint32_t> ground(found.nearGround().begin(), found.nearGround().end());
+  const std::set<std::uint32_t> wall(found.nearWall().begin(), found.nearWall().end());
+  for (std::uint32_t i = 0; i < world.balls.size(); ++i) {
+    const Vec3 d = world.balls.position[i] - world.arena.center;
+    const double r = world.balls.radius[i] + reach[i];
+    EXPECT_TRUE(d.y() > r || ground.contains(i)) << i;
+    EXPECT_TRUE(std::hypot(d.x(), d.z()) + r < world.arena.radius || wall.contains(i)) << i;
+  }
+}
+
+// Balls with radii between the two, at random in and around the arena.
+World randomWorld(std::size_t balls, double smallest, double largest, const Vec3& center,
+                  std::uint64_t seed) {
+  World world;
+  world.arena = {.center = center, .radius = 12};
+  Random random(seed);
+  for (std::size_t i = 0; i < balls; ++i) {
+    const Vec3 at{random.uniform(-13, 13), random.uniform(-1, 8), random.uniform(-13, 13)};
+    world.balls.add({.position = center + at, .velocity = 8 * random.direction()},
+                    random.uniform(smallest, largest), 1);
+  }
+  return world;
+}
+
+/// Moves the balls about and compares at every step, so that boxes are kept, left and made anew.
+void expectCompleteWhileMoving(World world, std::uint64_t seed) {
+  Random random(seed);
+  Broadphase broadphase;
+  std::vector<double> reach(world.balls.size());
+  for (int step = 0; step < 60; ++step) {
+    for (std::size_t i = 0; i < world.balls.size(); ++i) {
+      world.balls.position[i] += world.balls.velocity[i] / 60;
+      reach[i] = random.uniform(0, 0.3);
+      if (random.below(500) == 0) {  // another peer's state: a jump
+        world.balls.position[i] += 5 * random.direction();
+        reach[i] = 2;
+      }
+    }
+    broadphase.update(world, reach);
+    expectComplete(world, reach, broadphase);
+  }
+}
+
+TEST(Broadphase, MissesNothingAmongEqualBalls) {
+  expectCompleteWhileMoving(randomWorld(300, 0.5, 0.5, {0, 0, 0}, 1), 2);
+}
+
+TEST(Broadphase, MissesNothingWithRadiiOneToAHundred) {
+  expectCompleteWhileMoving(randomWorld(200, 0.02, 2, {0, 0, 0}, 3), 4);
+}
+
+TEST(Broadphase, MissesNothingFarFromTheOrigin) {
+  expectCompleteWhileMoving(randomWorld(200, 0.5, 0.5, {1e6, -2e6, 3e6}, 5), 6);
+}
+
+TEST(Broadphase, MissesNothingWhenAllAreInOnePlace) {
+  World world = randomWorld(120, 0.5, 0.5, {0, 0, 0}, 7);
+  for (Vec3& x : world.balls.position) x = {1, 1, 1};
+  expectCompleteWhileMoving(world, 8);
+}
+
+TEST(Broadphase, TouchesOnlyProxiesThatLeaveTheirBoxes) {
+  World world = randomWorld(100, 0.5, 0.5, {0, 0, 0}, 9);
+  const std::vector<double> reach(100, 0.1);
+  Broadphase broadphase;
+  broadphase.update(world, reach);
+  EXPECT_EQ(broadphase.moved(), 100);
+  world.balls.position[7].x() += 0.01;
+  broadphase.update(world, reach);
+  EXPECT_EQ(broadphase.moved(), 0);
+  world.balls.position[7].x() += 1;
+  broadphase.update(world, reach);
+  EXPECT_EQ(broadphase.moved(), 1);
+}
+
+TEST(Broadphase, LeavesOutWhatIsNotFiniteAndTakesItBack) {
+  World world = randomWorld(50, 0.5, 0.5, {0, 0, 0}, 11);
+  const std::vector<double> reach(50, 0.1);
+  Broadphase broadphase;
+  broadphase.update(world, reach);
+  const Vec3 place = world.balls.position[3];
+  world.balls.position[3].y() = std::numeric_limits<double>::quiet_NaN();
+  broadphase.update(world, reach);
+  for (const BallPair& pair : broadphase.ballPairs()) EXPECT_TRUE(pair.a != 3 && pair.b != 3);
+  for (const std::uint32_t i : broadphase.nearGround()) EXPECT_NE(i, 3u);
+  world.balls.position[3] = place;
+  broadphase.update(world, reach);
+  expectComplete(world, reach, broadphase);
+}
+
+TEST(Broadphase, StartsAfreshWhenTheWorldIsAnother) {
+  Broadphase broadphase;
+  for (const std::size_t count : {20u, 40u, 10u}) {
+    const World world = randomWorld(count, 0.5, 0.5, {double(count), 0, 0}, count);
+    const std::vector<double> reach(count, 0.2);
+    broadphase.update(world, reach);
+    expectComplete(world, reach, broadphase);
+  }
+}
+
+}  // namespace
+}  // namespace wells

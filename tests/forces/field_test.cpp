@@ -1,0 +1,71 @@
+#include "forces/field.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "math/random.h"
+
+namespace wells {
+namespace {
+
+Field someField() {
+  return {.gravity = {0, -9.81, 0},
+          .wells = {{.position = {3, 1, 0}, .strength = 200, .softening = 2},
+                    {.position = {-5, 2, 4}, .strength = -80, .softening = 0.5}}};
+}
+
+// Plummer: one well of strength S at distance d pulls S d / (d^2 + eps^2)^(3/2).
+TEST(Field, OneWellPullsByTheSoftenedLaw) {
+  const Field field{.wells = {{.position = {0, 0, 0}, .strength = 1000, .softening = 2}}};
+  const Vec3 a = acceleration(field, {0, 0, -4}, 0);
+  EXPECT_NEAR(a.z(), 1000 * 4 / std::pow(20, 1.5), 1e-12);
+  EXPECT_EQ(a.x(), 0);
+  EXPECT_EQ(a.y(), 0);
+  EXPECT_EQ(acceleration(field, {0, 0, 0}, 0), Vec3(0, 0, 0));
+  EXPECT_NEAR(potential(field, {0, 0, -4}, Vec3::Zero()), -1000 / std::sqrt(20.0), 1e-12);
+}
+
+// The force is minus the gradient of the potential: central differences, error ~ step^2.
+TEST(Field, AccelerationIsMinusTheGradientOfThePotential) {
+  const Field field = someField();
+  Random random(1);
+  constexpr double kStep = 1e-5;
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 x{random.uniform(-9, 9), random.uniform(0, 9), random.uniform(-9, 9)};
+    const Vec3 a = acceleration(field, x, 0);
+    for (int axis = 0; axis < 3; ++axis) {
+      Vec3 shift = Vec3::Zero();
+      shift[axis] = kStep;
+      const double gradient =
+          (potential(field, x + shift, {0, 0, 0}) - potential(field, x - shift, {0, 0, 0})) /
+          (2 * kStep);
+      EXPECT_NEAR(a[axis], -gradient, 1e-5);
+    }
+  }
+}
+
+TEST(Field, WellsMoveDuringTheStep) {
+  Field field = someField();
+  Field moved = field;
+  field.wells[0].velocity = {1, 2, 3};
+  moved.wells[0].position += Vec3(0.5, 1, 1.5);
+  const Vec3 x{1, 1, 1};
+  EXPECT_EQ(acceleration(field, x, 0.5), acceleration(moved, x, 0));
+}
+
+TEST(Field, WellsThatAreOffAreLeftOut) {
+  World world;
+  world.tracks = {{.keyframes = {{0, {1, 1, 1}, 0}}}, {.keyframes = {{0, {2, 1, 1}, -3}}}};
+  ASSERT_EQ(fieldOf(world).wells.size(), 1u);
+  EXPECT_EQ(fieldOf(world).wells[0].strength, -3);
+}
+
+TEST(Drag, IsAFactorPerSecond) {
+  EXPECT_EQ(dragFactor(1, 0.37), 1);
+  EXPECT_NEAR(dragFactor(0.9, 2), 0.81, 1e-15);
+  EXPECT_NEAR(dragFactor(0.5, 1.0 / 60), std::pow(0.5, 1.0 / 60), 1e-15);
+}
+
+}  // namespace
+}  // namespace wells
