@@ -27,6 +27,7 @@ Camera cameraOverArena(const Arena& arena, double aspect) {
   constexpr double kElevation = 40 * kDegree;
   constexpr double kFieldOfView = 32;  // degrees; narrow, so that near and far balls compare well
   constexpr double kMargin = 0.95;     // of the picture's half width and height
+  constexpr double kHeadroom = 0.12;   // of the radius; seen over all of the ground
   constexpr int kSamples = 180;
 
   const CameraAxes axes =
@@ -41,7 +42,7 @@ Camera cameraOverArena(const Arena& arena, double aspect) {
   double side = 0, above = -INFINITY, below = -INFINITY;
   for (int i = 0; i < kSamples; ++i) {
     const double angle = 2 * std::numbers::pi * i / kSamples;
-    for (const double height : {0.0, rimHeight(arena)}) {
+    for (const double height : {0.0, kHeadroom * arena.radius}) {
       const Vec3 point{arena.radius * std::cos(angle), height, arena.radius * std::sin(angle)};
       const double x = dot(point, axes.right);
       const double y = dot(point, axes.up);

@@ -17,7 +17,7 @@ constexpr std::array<Color, 8> kFirst{{{230, 159, 0},
                                        {213, 94, 0},
                                        {226, 214, 246}}};
 
-constexpr Color kNobodys{104, 108, 114};
+constexpr Color kNobodys{180, 184, 190};
 
 Color fromHue(double turns, double saturation, double value) {
   const auto channel = [&](double offset) {

@@ -125,16 +125,28 @@ TEST(Renderer, BallCoversTheDiscOfItsTangentCone) {
   }
 }
 
-TEST(Renderer, OwnerlessAndTinyBallsShow) {
+TEST(Renderer, BallsFarSmallerThanAPixelShow) {
   View view = arenaWithoutBalls();
   view.radius = {1e-3};
-  const Camera camera = cameraOverArena(view.arena, kAspect);
-  const Image empty = drawn(view, camera);
   view.position = {Vec3{-3, 0.5, 0}};
+  view.owner = {1};
+  const Camera camera = cameraOverArena(view.arena, kAspect);
   const Image image = drawn(view, camera);
   const Pixel pixel = pixelOf(camera, view.position[0]);
-  const Color before = colorAt(empty, pixel.x, pixel.y), after = colorAt(image, pixel.x, pixel.y);
-  EXPECT_GT(after.green, before.green + 20);
+  EXPECT_EQ(peerSeen(colorAt(image, pixel.x, pixel.y)), 1);
+}
+
+TEST(Renderer, OwnersAreOptional) {
+  View view = fourBalls();
+  const Camera camera = cameraOverArena(view.arena, kAspect);
+  view.owner.clear();
+  const Image image = drawn(view, camera);
+  const Image ground = drawn(arenaWithoutBalls(), camera);
+  for (const Vec3& position : view.position) {
+    const Pixel pixel = pixelOf(camera, position);
+    EXPECT_EQ(peerSeen(colorAt(image, pixel.x, pixel.y)), 0);
+    EXPECT_NE(colorAt(image, pixel.x, pixel.y), colorAt(ground, pixel.x, pixel.y));
+  }
 }
 
 TEST(Renderer, FarAwayArenaLooksTheSame) {
