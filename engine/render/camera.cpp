@@ -27,7 +27,7 @@ Camera cameraOverArena(const Arena& arena, double aspect) {
   constexpr double kElevation = 40 * kDegree;
   constexpr double kFieldOfView = 32;  // degrees; narrow, so that near and far balls compare well
   constexpr double kMargin = 0.95;     // of the picture's half width and height
-  constexpr double kHeadroom = 0.12;   // of the radius; seen over all of the ground
+  constexpr double kHeadroom = 0.12;   // of the radius; as much is seen over the whole ground
   constexpr int kSamples = 180;
 
   const CameraAxes axes =
@@ -36,9 +36,9 @@ Camera cameraOverArena(const Arena& arena, double aspect) {
   const double tangentX = tangentY * aspect;
 
   // In camera axes about the arena's centre, with the eye at (0, Y, -D), a point (x, y, z) is
-  // inside when |x| <= tangentX (z + D) and |y - Y| <= tangentY (z + D). The largest left-hand
-  // sides over the rim give the smallest D and bounds for Y. What room remains goes above, where
-  // the legend is and balls fly.
+  // inside when |x| <= tangentX (z + D) and |y - Y| <= tangentY (z + D). The largest sides
+  // over the arena's edge give the smallest D and bounds for Y. What room remains goes above,
+  // where the legend is and balls fly.
   double side = 0, above = -INFINITY, below = -INFINITY;
   for (int i = 0; i < kSamples; ++i) {
     const double angle = 2 * std::numbers::pi * i / kSamples;

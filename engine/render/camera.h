@@ -25,8 +25,8 @@ CameraAxes cameraAxes(const Camera& camera);
 /// The rim round the arena is drawn this high, m. (The wall itself has no top.)
 double rimHeight(const Arena& arena);
 
-/// Looks obliquely down at the arena, as near as still shows all of it, rim included. `aspect` is
-/// the picture's width over its height.
+/// Looks obliquely down at the arena, as near as still shows all of it, rim and some headroom
+/// included. `aspect` is the picture's width over its height.
 Camera cameraOverArena(const Arena& arena, double aspect);
 
 /// From world coordinates minus `origin` to clip space (x right, y up, -w .. w; infinitely far is

@@ -113,10 +113,10 @@ TEST(Renderer, BallCoversTheDiscOfItsTangentCone) {
   view.radius = {2.0};
   view.position = {Vec3{0, 3, 0}};
   view.owner = {2};
-  const Camera camera{Vec3{0, 3, 8}, Vec3{0, 3, 0}, 60};
+  const Camera camera{Vec3{0, 3, 4}, Vec3{0, 3, 0}, 80};
   const Image image = drawn(view, camera);
-  const double tangent = 2 / std::sqrt(8.0 * 8 - 2 * 2);
-  const double radius = tangent / std::tan(std::numbers::pi / 6) * kHeight / 2;  // pixels
+  const double tangent = 2 / std::sqrt(4.0 * 4 - 2 * 2);
+  const double radius = tangent / std::tan(std::numbers::pi / 4.5) * kHeight / 2;  // pixels
   for (int x = 0; x < kWidth; ++x) {
     const double from = std::abs(x + 0.5 - kWidth / 2.0);
     if (std::abs(from - radius) < 2) continue;
