@@ -1,0 +1,189 @@
+#include "bench.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+
+#include "bench_run.h"
+#include "command_line.h"
+#include "engines.h"
+#include "errors.h"
+#include "flight/integrators.h"
+#include "progress.h"
+#include "scenes/catalogue.h"
+#include "text_file.h"
+#include "values.h"
+
+namespace wells {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t kMostBalls = 1'000'000;
+constexpr std::int64_t kMostSteps = 1'000'000'000;
+
+struct BenchOptions {
+  std::string scene = "T1";
+  std::string engine = "ours";
+  std::string integrator;       // empty: the scene's
+  std::int64_t balls = 0;       // 0: the scene's default
+  std::int64_t steps = 0;       // 0: the scene's default
+  std::int64_t substeps = 0;    // 0: the scene's
+  std::int64_t iterations = 0;  // 0: the scene's
+  std::int64_t threads = 1;
+  std::int64_t seed = 1;
+  double dt = 0;  // s; 0: the scene's
+  fs::path csv;
+  bool list = false;
+};
+
+void addInteger(CLI::App& app, const std::string& name, std::int64_t& target, std::int64_t low,
+                std::int64_t high, const std::string& help) {
+  app.add_option_function<std::string>(
+         name,
+         [&target, name, low, high](const std::string& value) {
+           parseOption(name, value, fmt::format("a whole number {} to {}", low, high),
+                       [&] { target = parseInteger(value, low, high); });
+         },
+         help)
+      ->type_name("COUNT");
+}
+
+/// Adds --name VALUE, where `check` throws std::invalid_argument for a value that is not allowed.
+void addName(CLI::App& app, const std::string& name, std::string& target, const std::string& help,
+             void (*check)(std::string_view)) {
+  app.add_option_function<std::string>(
+         name,
+         [&target, name, check](const std::string& value) {
+           try {
+             check(value);
+           } catch (const std::invalid_argument& error) {
+             throw UsageError(fmt::format("{} {}: {}", name, value, error.what()));
+           }
+           target = value;
+         },
+         help)
+      ->type_name("NAME");
+}
+
+void addOptions(CLI::App& app, BenchOptions& options) {
+  addName(app, "--scene", options.scene, "what to simulate; --list shows all (default T1)",
+          [](std::string_view name) { findScene(name); });
+  addName(app, "--engine", options.engine, joined(engineNames(), ", ") + " (default ours)",
+          [](std::string_view name) { requireEngine(name); });
+  addName(app, "--integrator", options.integrator, "of ours (default: the scene's)",
+          [](std::string_view name) { findIntegrator(name); });
+  addInteger(app, "--balls", options.balls, 1, kMostBalls, "default: the scene's");
+  addInteger(app, "--steps", options.steps, 1, kMostSteps, "default: the scene's");
+  addInteger(app, "--substeps", options.substeps, 1, 1000, "of ours (default: the scene's)");
+  addInteger(app, "--iterations", options.iterations, 1, 1000, "of ours (default: the scene's)");
+  addInteger(app, "--threads", options.threads, 1, 256,
+             "of the simulation; the result has the same bits for any number (default 1)");
+  addInteger(app, "--seed", options.seed, 0, std::int64_t{1} << 53,
+             "of scenes with chance (default 1)");
+  app.add_option_function<std::string>(
+         "--dt",
+         [&](const std::string& value) {
+           const Range range = Range::above(0, 1);
+           parseOption("--dt", value, fmt::format("a number {}, in s", range.text()),
+                       [&] { options.dt = parseNumber(value, range); });
+         },
+         "one step (default 1/60)")
+      ->type_name("s");
+  app.add_option_function<std::string>(
+         "--csv", [&](const std::string& value) { options.csv = value; },
+         "appends the row to this file instead of printing it")
+      ->type_name("FILE");
+  app.add_flag("--list", options.list, "lists the scenes and ends");
+}
+
+void listScenes() {
+  for (const Scene& scene : scenes())
+    fmt::print("{:16} {:>6} balls {:>6} steps  {}\n", scene.name, scene.defaultBalls,
+               scene.defaultSteps, scene.about);
+}
+
+/// Refuses a file whose header is another one, before an hour of benchmark is spent.
+void checkCsv(const fs::path& file) {
+  requireWritable("--csv", file);
+  if (!fs::exists(file) || fs::file_size(file) == 0) return;
+  std::string header;
+  std::getline(std::ifstream(file), header);
+  if (header != csvHeader())
+    throw UsageError(
+        fmt::format("--csv {}: its first line is \"{}\"; allowed: a new file, or one that "
+                    "starts with \"{}\"",
+                    file.string(), header, csvHeader()));
+}
+
+void appendRow(const fs::path& file, const std::string& row) {
+  const bool isNew = !fs::exists(file) || fs::file_size(file) == 0;
+  std::ofstream out(file, std::ios::app);
+  if (isNew) out << csvHeader() << '\n';
+  out << row << '\n';
+  out.flush();
+  if (!out) throw RunError(fmt::format("--csv {}: could not be written", file.string()));
+}
+
+World sceneWorld(const BenchOptions& options) {
+  World world;
+  try {
+    world = makeScene(findScene(options.scene), static_cast<std::size_t>(options.balls),
+                      static_cast<std::uint64_t>(options.seed));
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(fmt::format("--balls {}: {}", options.balls, error.what()));
+  }
+  Settings& settings = world.settings;
+  if (options.dt > 0) settings.dt = options.dt;
+  if (!options.integrator.empty()) settings.integrator = options.integrator;
+  if (options.substeps > 0) settings.substeps = static_cast<int>(options.substeps);
+  if (options.iterations > 0) settings.iterations = static_cast<int>(options.iterations);
+  return world;
+}
+
+BenchResult runWithProgress(Stepper& stepper, World world, std::int64_t steps) {
+  const ProgressLine line({.steps = steps, .dt = world.settings.dt, .hasEnd = true},
+                          ProgressLine::Shown::Yes);
+  const auto start = std::chrono::steady_clock::now();
+  Progress progress;
+  return benchmark(stepper, std::move(world), steps, [&](std::int64_t done) {
+    progress.step = done;
+    line.show(progress,
+              std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  });
+}
+
+}  // namespace
+
+int runBench(std::span<const std::string> arguments, char** argv) {
+  CLI::App app{
+      "Runs a scene with an engine; one CSV row of time and physics.\n"
+      "ms_per_step is the wall time of the steps alone; overlap, energy and escaped balls "
+      "are those at the end.",
+      "./run.sh bench"};
+  BenchOptions options;
+  addOptions(app, options);
+  if (parseArguments(app, arguments) == Parsed::HelpShown) return 0;
+  if (options.list) {
+    listScenes();
+    return 0;
+  }
+  if (!options.csv.empty()) checkCsv(options.csv);
+  becomeExecutableOf(options.engine, argv);
+
+  const Scene& scene = findScene(options.scene);
+  const std::int64_t steps = options.steps > 0 ? options.steps : scene.defaultSteps;
+  const auto stepper = makeEngine(options.engine);
+  BenchResult result = runWithProgress(*stepper, sceneWorld(options), steps);
+  result.scene = options.scene;
+  result.threads = options.threads;
+  if (options.csv.empty())
+    fmt::print("{}\n{}\n", csvHeader(), csvRow(result));
+  else
+    appendRow(options.csv, csvRow(result));
+  return 0;
+}
+
+}  // namespace wells

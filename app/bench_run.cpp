@@ -1,0 +1,99 @@
+#include "bench_run.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <vector>
+
+#include "build_info.h"
+
+namespace wells {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kLastSteps = 100;
+
+double meanMilliseconds(std::span<const Clock::duration> times) {
+  if (times.empty()) return 0;
+  Clock::duration sum{};
+  for (const auto time : times) sum += time;
+  return std::chrono::duration<double, std::milli>(sum).count() / static_cast<double>(times.size());
+}
+
+double peakRssMiB() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;  // Linux counts KiB
+}
+
+std::string processor() {
+  std::ifstream cpuinfo("/proc/cpuinfo");
+  for (std::string line; std::getline(cpuinfo, line);)
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  return "unknown";
+}
+
+/// A CSV field: quoted where it holds a comma or a quote (RFC 4180).
+std::string field(std::string_view text) {
+  if (text.find_first_of(",\"") == std::string_view::npos) return std::string(text);
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+}  // namespace
+
+BenchResult benchmark(Stepper& stepper, World world, std::int64_t steps,
+                      const std::function<void(std::int64_t)>& progress) {
+  BenchResult result;
+  result.balls = world.balls.size();
+  result.dt = world.settings.dt;
+  result.steps = steps;
+  result.start = measure(world);
+  std::vector<Clock::duration> times;
+  times.reserve(static_cast<std::size_t>(steps));
+  Clock::time_point reported = Clock::now();
+  for (std::int64_t step = 0; step < steps; ++step) {
+    const auto before = Clock::now();
+    stepper.step(world);
+    const auto after = Clock::now();
+    times.push_back(after - before);
+    if (after - reported > std::chrono::milliseconds(100)) {
+      progress(step + 1);
+      reported = after;
+    }
+  }
+  const std::size_t last = std::min(times.size(), kLastSteps);
+  result.msPerStep = meanMilliseconds(times);
+  result.msPerStepLast100 = meanMilliseconds(std::span(times).last(last));
+  result.end = measure(world);
+  result.engine = stepper.name();
+  result.integrator = stepper.integrator();
+  result.contacts = stepper.contactMethod();
+  result.peakRss = peakRssMiB();
+  result.stateHash = stateHash(world);
+  return result;
+}
+
+std::string csvHeader() {
+  return "scene,engine,integrator,contacts,balls,dt,steps,threads,ms_per_step,ms_per_step_last100,"
+         "max_overlap_m,energy_start_J,energy_end_J,escaped,peak_rss_MiB,state_hash,commit,"
+         "compiler,"
+         "flags,cpu";
+}
+
+std::string csvRow(const BenchResult& r) {
+  return fmt::format(
+      "{},{},{},{},{},{:.17g},{},{},{:.6g},{:.6g},{:.6g},{:.17g},{:.17g},{},{:.1f},{},"
+      "{},{},{},{}",
+      r.scene, r.engine, field(r.integrator), field(r.contacts), r.balls, r.dt, r.steps, r.threads,
+      r.msPerStep, r.msPerStepLast100, r.end.worstOverlap(), r.start.energy(), r.end.energy(),
+      r.end.escaped, r.peakRss, hashText(r.stateHash), build_info::kCommit,
+      field(build_info::kCompiler), field(build_info::kFlags), field(processor()));
+}
+
+}  // namespace wells

@@ -1,0 +1,42 @@
+// One benchmark: a scene, an engine, a number of steps; time of the steps alone, and what the
+// physics did.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "state/stepper.h"
+#include "world/measures.h"
+
+namespace wells {
+
+struct BenchResult {
+  std::string scene;
+  std::string engine;
+  std::string integrator;
+  std::string contacts;
+  std::size_t balls = 0;
+  double dt = 0;  // s
+  std::int64_t steps = 0;
+  std::int64_t threads = 1;
+  double msPerStep = 0;         // wall time of the step calls, mean
+  double msPerStepLast100 = 0;  // of the last 100 steps, or of all if there are fewer
+  Measures start;
+  Measures end;
+  double peakRss = 0;  // MiB, of the whole process
+  std::uint64_t stateHash = 0;
+};
+
+/// Steps `world` and measures before and after; nothing but the steps is timed. `progress` is
+/// called with the number of steps done, about ten times a second at most.
+BenchResult benchmark(Stepper& stepper, World world, std::int64_t steps,
+                      const std::function<void(std::int64_t)>& progress);
+
+/// The header line of the CSV file, without line end.
+std::string csvHeader();
+
+/// One row: the result, and what the program was built from, with and on.
+std::string csvRow(const BenchResult& result);
+
+}  // namespace wells
