@@ -1,0 +1,171 @@
+#include "network/peers.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "network/message_fields.h"
+
+namespace wells {
+namespace {
+
+bool isMember(const Peer& peer, const Generation& generation) {
+  return !peer.isOver && peer.world == WorldMatch::Same && generation.exists() &&
+         peer.generation == generation &&
+         (peer.phase == Phase::Syncing || peer.phase == Phase::Active);
+}
+
+}  // namespace
+
+std::string_view name(Phase phase) {
+  switch (phase) {
+    case Phase::Joining:
+      return "joining";
+    case Phase::Syncing:
+      return "syncing";
+    case Phase::Active:
+      return "active";
+    case Phase::Leaving:
+      return "leaving";
+  }
+  return "unknown";
+}
+
+void Peers::setGeneration(const Generation& generation, double now) {
+  generation_ = generation;
+  leases_.clear();
+  for (const auto& [number, peer] : peers_)
+    if (isMember(peer, generation_)) leases_.expect(peer.who, peer.lease, now);
+}
+
+std::optional<Drop> Peers::checkClock(const gravity_wells::peer_header_t& header, Times now) const {
+  const double apart = std::abs(static_cast<double>(header.utime - now.wallUs)) * 1e-6;
+  if (apart > clockTolerance_) return Drop::ClockApart;
+  return std::nullopt;
+}
+
+std::optional<Drop> Peers::hear(const gravity_wells::heartbeat_t& heartbeat, Times now) {
+  const auto& header = heartbeat.header;
+  if (const auto drop = checkClock(header, now)) return drop;
+  const Incarnation who{PeerId{header.peer_id}, header.incarnation};
+  if (!peers_.contains(who.number) && peers_.size() >= kCapacity) return Drop::UnknownSender;
+  Peer& peer = peers_.try_emplace(who.number, Peer{.who = who}).first->second;
+  if (peer.who != who) return Drop::UnknownSender;
+  if (peer.isOver) return Drop::DeadSender;
+  if (!peer.sequences.accept(header.sequence)) return Drop::Replayed;
+
+  peer.heardAt = now.monotonic;
+  peer.heartbeats = std::min(peer.heartbeats + 1, 1000);
+  // One that was overtaken on its way tells an old phase.
+  if (header.sequence < peer.sequences.highest()) return std::nullopt;
+
+  if (peer.generation != generationOf(header)) peer.step = 0;
+  peer.startedUs = heartbeat.started;
+  peer.generation = generationOf(header);
+  peer.phase = static_cast<Phase>(heartbeat.phase);
+  peer.progress = heartbeat.paused ? Progress::Paused : Progress::Running;
+  peer.world = heartbeat.world_hash == worldHash_ ? WorldMatch::Same : WorldMatch::Foreign;
+  peer.lease = heartbeat.lease_ms * 1e-3;
+  if (peer.world == WorldMatch::Foreign) return Drop::ForeignWorld;
+  if (peer.phase == Phase::Leaving) {
+    leases_.end(who, now.monotonic);
+    peer.isOver = true;
+    return std::nullopt;
+  }
+  if (isMember(peer, generation_)) {
+    if (const auto drop = replaceOthers(peer, now.monotonic)) return drop;
+  }
+  renew(peer, header.step, now.monotonic);
+  return std::nullopt;
+}
+
+std::optional<Drop> Peers::hear(const gravity_wells::peer_header_t& header, Times now) {
+  if (const auto drop = checkClock(header, now)) return drop;
+  Peer* peer = find(header.incarnation);
+  if (!peer || value(peer->who.peer) != header.peer_id) return Drop::UnknownSender;
+  if (peer->isOver) return Drop::DeadSender;
+  if (!peer->sequences.accept(header.sequence)) return Drop::Replayed;
+  if (peer->world == WorldMatch::Foreign) return Drop::ForeignWorld;
+  peer->heardAt = now.monotonic;
+  if (generationOf(header) == peer->generation) renew(*peer, header.step, now.monotonic);
+  return std::nullopt;
+}
+
+std::optional<Drop> Peers::replaceOthers(const Peer& peer, double now) {
+  for (auto& [number, other] : peers_) {
+    if (other.who.peer != peer.who.peer || number == peer.who.number) continue;
+    if (!isMember(other, generation_)) continue;
+    const bool isNewer = other.startedBefore(peer.startedUs, peer.who.number);
+    if (!isNewer && leases_.isLiving(other.who, now)) return Drop::DeadSender;
+    other.isOver = true;
+  }
+  leases_.supersede(peer.who, now);
+  return std::nullopt;
+}
+
+void Peers::renew(Peer& peer, std::int64_t step, double now) {
+  if (step >= peer.step) {
+    peer.step = step;
+    peer.stepHeardAt = now;
+  }
+  if (isMember(peer, generation_)) leases_.hear(peer.who, step, peer.progress, peer.lease, now);
+}
+
+Peer* Peers::find(std::int64_t incarnation) {
+  const auto entry = peers_.find(incarnation);
+  return entry == peers_.end() ? nullptr : &entry->second;
+}
+
+std::vector<const Peer*> Peers::living(double now) const {
+  std::vector<const Peer*> members;
+  for (const auto& [number, peer] : peers_)
+    if (isMember(peer, generation_) && leases_.isLiving(peer.who, now)) members.push_back(&peer);
+  return members;
+}
+
+std::vector<const Peer*> Peers::livingActive(double now) const {
+  std::vector<const Peer*> members = living(now);
+  std::erase_if(members, [](const Peer* peer) { return peer->phase != Phase::Active; });
+  return members;
+}
+
+std::vector<const Peer*> Peers::audible(double now) const {
+  std::vector<const Peer*> heard;
+  for (const auto& [number, peer] : peers_)
+    if (!peer.isOver && peer.world == WorldMatch::Same && now - peer.heardAt < peer.lease)
+      heard.push_back(&peer);
+  return heard;
+}
+
+const Peer* Peers::foreignSenior(std::int64_t ourStartedUs, std::int64_t ourIncarnation,
+                                 double now) const {
+  for (const auto& [number, peer] : peers_) {
+    const bool isAudible = !peer.isOver && now - peer.heardAt < peer.lease;
+    if (peer.world == WorldMatch::Foreign && isAudible &&
+        (peer.phase != Phase::Joining || peer.startedBefore(ourStartedUs, ourIncarnation)))
+      return &peer;
+  }
+  return nullptr;
+}
+
+bool Peers::heardMemberSince(double time) const {
+  return std::ranges::any_of(peers_, [&](const auto& entry) {
+    return isMember(entry.second, generation_) && entry.second.heardAt >= time;
+  });
+}
+
+PeerId Peers::lowestFreeId(double now) const {
+  const auto heard = audible(now);
+  for (std::int32_t id = 1; id <= kMaxPeerId; ++id)
+    if (std::ranges::none_of(heard, [&](const Peer* p) { return value(p->who.peer) == id; }))
+      return PeerId{id};
+  return kNobody;
+}
+
+void Peers::forget(double now) {
+  // The clocks of sender and receiver may each be off by the tolerance.
+  const double time = now - 2 * clockTolerance_ - 1;
+  std::erase_if(peers_, [&](const auto& entry) { return entry.second.heardAt < time; });
+  leases_.forget(time, now);
+}
+
+}  // namespace wells

@@ -1,0 +1,119 @@
+// Everybody that a session has heard: which incarnations exist, which of them live, and which
+// messages of theirs are new. Knows nothing of balls.
+//
+// What is accepted from whom:
+//  - Only a heartbeat introduces an incarnation; what else comes from an unknown one is refused.
+//  - A sequence number counts once (SequenceWindow). Entries are kept for longer than the clock
+//    tolerance can hide the age of a message, so that a log played back into the group finds either
+//    its sequence numbers or its wall clock refused.
+//  - Of two members with one id, the one that started later has replaced the other, whose lease
+//    ends for good. A joiner replaces nobody: it has yet to find an id.
+//  - A lease that ended by silence begins again when the incarnation is heard advancing.
+#pragma once
+
+#include <cstdint>
+#include <gravity_wells/heartbeat_t.hpp>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "network/drops.h"
+#include "network/sequence_window.h"
+#include "network/session_options.h"
+#include "ownership/leases.h"
+
+namespace wells {
+
+enum class Phase : std::uint8_t {
+  Joining,  // listening
+  Syncing,  // knows the generation, gathers states
+  Active,   // simulates, owns, may be offered balls
+  Leaving,  // said good-bye
+};
+
+/// For reports: "joining", ...
+std::string_view name(Phase phase);
+
+enum class WorldMatch : std::uint8_t { Same, Foreign };
+
+struct Peer {
+  Incarnation who{};
+  std::int64_t startedUs = 0;  // us since 1970, its wall clock
+  Generation generation{};
+  Phase phase = Phase::Joining;
+  Progress progress = Progress::Paused;
+  WorldMatch world = WorldMatch::Same;
+  double lease = 0;        // s
+  std::int64_t step = 0;   // committed, as last heard ...
+  double stepHeardAt = 0;  // ... at this time, s
+  double heardAt = 0;      // s
+  int heartbeats = 0;      // heard, up to a few
+  bool isOver = false;     // good-bye said, or replaced
+  bool isNoted = false;    // the user was told about its world or its clock
+  SequenceWindow sequences{};
+
+  /// Who started first keeps an id and founds a generation.
+  bool startedBefore(std::int64_t otherStartedUs, std::int64_t otherIncarnation) const {
+    return startedUs != otherStartedUs ? startedUs < otherStartedUs : who.number < otherIncarnation;
+  }
+};
+
+class Peers {
+ public:
+  /// worldHash as in heartbeat_t; clockTolerance in s.
+  Peers(std::int64_t worldHash, double clockTolerance)
+      : worldHash_(worldHash), clockTolerance_(clockTolerance) {}
+
+  /// The generation whose members have leases with us. The leases of those known begin now.
+  void setGeneration(const Generation& generation, double now);
+
+  /// Learns from a heartbeat. The reason if the rest of the session must not heed it; a peer in
+  /// another generation or world is entered in the table nevertheless.
+  std::optional<Drop> hear(const gravity_wells::heartbeat_t& heartbeat, Times now);
+
+  /// Learns from the header of any other message.
+  std::optional<Drop> hear(const gravity_wells::peer_header_t& header, Times now);
+
+  /// The peer of an incarnation number; nullptr when unknown.
+  Peer* find(std::int64_t incarnation);
+
+  /// Members of the generation whose lease lasts, by incarnation.
+  std::vector<const Peer*> living(double now) const;
+  std::vector<const Peer*> livingActive(double now) const;
+
+  /// Everybody who has lately been heard and simulates the same world, joiners included.
+  std::vector<const Peer*> audible(double now) const;
+
+  /// Somebody who has lately been heard, simulates another world, and has been here for longer
+  /// than we, if there is one.
+  const Peer* foreignSenior(std::int64_t ourStartedUs, std::int64_t ourIncarnation,
+                            double now) const;
+
+  /// True when a member of our generation, dead or alive by now, was heard since `time`.
+  bool heardMemberSince(double time) const;
+
+  /// Lowest id that nobody audible uses; nobody when all are taken.
+  PeerId lowestFreeId(double now) const;
+
+  /// Drops what is too old to matter.
+  void forget(double now);
+
+  Leases& leases() { return leases_; }
+  const Leases& leases() const { return leases_; }
+
+ private:
+  // Incarnations in the table; more are refused. A flood of invented ones must not fill memory.
+  static constexpr std::size_t kCapacity = 2048;
+
+  std::optional<Drop> checkClock(const gravity_wells::peer_header_t& header, Times now) const;
+  std::optional<Drop> replaceOthers(const Peer& peer, double now);
+  void renew(Peer& peer, std::int64_t step, double now);
+
+  std::int64_t worldHash_;
+  double clockTolerance_;
+  Generation generation_;
+  std::map<std::int64_t, Peer> peers_;  // by incarnation number
+  Leases leases_;
+};
+
+}  // namespace wells

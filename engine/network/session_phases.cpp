@@ -1,0 +1,169 @@
+// How a session goes from phase to phase, and what it does in each.
+#include <algorithm>
+
+#include "network/session.h"
+#include "network/wells_exchange.h"
+
+namespace wells {
+namespace {
+
+constexpr double kConfigPatience = 2;  // s to wait for the config of a foreign world, sent at 1 Hz
+constexpr double kAdoptionInterval = 0.05;  // s between two looks for orphans
+constexpr std::int64_t kOfferInterval = 6;  // steps between two looks for nearer wells
+
+}  // namespace
+
+Generation Session::greatestHeard(double now) const {
+  Generation greatest = generation_;
+  for (const Peer* peer : peers_.audible(now))
+    if (peer->phase == Phase::Active) greatest = std::max(greatest, peer->generation);
+  return greatest;
+}
+
+void Session::listen(World& world, Times now) {
+  if (now.monotonic < listenUntil_) return;
+  if (peers_.foreignSenior(startedUs_, self_.number, now.monotonic)) {
+    if (now.monotonic < listenUntil_ + kConfigPatience) return;
+    throw WorldMismatch("the peers of this group simulate another world");
+  }
+  if (const Generation greatest = greatestHeard(now.monotonic); greatest.exists()) {
+    enter(world, greatest, now);
+    return;
+  }
+  // Of several joiners the first to start founds. If it does not (perhaps it hears somebody whom we
+  // don't), it is not waited for without end.
+  const auto heard = peers_.audible(now.monotonic);
+  const bool isFirst = std::ranges::none_of(
+      heard, [&](const Peer* peer) { return peer->startedBefore(startedUs_, self_.number); });
+  if (isFirst || now.monotonic >= listenUntil_ + listenTime()) found(world, now);
+}
+
+void Session::found(World& world, Times now) {
+  generation_ = {.resets = 0,
+                 .foundedUs = now.wallUs,
+                 .nonce = static_cast<std::int64_t>(random_.bits() >> 1)};
+  peers_.setGeneration(generation_, now.monotonic);
+  balls_.found(world, generation_, self_);
+  addOwnTrack(world.tracks, peer(), options_.well, world.step, Appearance::AtOnce);
+  phase_ = Phase::Active;
+  note("heard nobody and founded a session");
+}
+
+void Session::enter(World& world, const Generation& generation, Times now) {
+  if (generation_.exists()) {
+    ++counts_.resyncs;
+    note("joins a session that was founded earlier than this one");
+  }
+  generation_ = generation;
+  peers_.setGeneration(generation, now.monotonic);
+  balls_.enter(world, generation);
+  removeTracks(world.tracks, [](PeerId) { return true; });
+  world.step = frontStep(paces(now.monotonic), paceRule(), now.monotonic).value_or(0);
+  lastActiveHeard_ = now.monotonic;
+  phase_ = Phase::Syncing;
+}
+
+void Session::synchronise(World& world, Times now) {
+  if (const Generation greatest = greatestHeard(now.monotonic); greatest > generation_) {
+    enter(world, greatest, now);
+    return;
+  }
+  if (const auto front = frontStep(paces(now.monotonic), paceRule(), now.monotonic)) {
+    world.step = std::max(world.step, *front);
+    lastActiveHeard_ = now.monotonic;
+  }
+  forgetWells(world, now);
+  if (balls_.missing() == 0) {
+    activate(world, now);
+  } else if (now.monotonic - lastActiveHeard_ > 2 * options_.lease) {
+    note("everybody else is gone; goes on with " + std::to_string(records().size()) +
+         " balls, of which " + std::to_string(balls_.missing()) +
+         " have not been heard of and are where they were first");
+    activate(world, now);
+    balls_.adoptAll(world, self_, peers_.leases(), now.monotonic);
+  }
+}
+
+void Session::activate(World& world, Times now) {
+  world.step = std::max(world.step, balls_.latestStep());
+  balls_.activate(world);
+  if (std::ranges::find(world.tracks, peer(), &WellTrack::peer) == world.tracks.end())
+    addOwnTrack(world.tracks, peer(), options_.well, world.step, Appearance::Delayed);
+  extendOwnTrack(world.tracks, peer(), options_.well, world.step);
+  nextOffers_ = world.step;
+  nextHeartbeat_ =
+      now.monotonic;  // the others refuse our states until they know that we are active
+  phase_ = Phase::Active;
+}
+
+void Session::act(World& world, Times now) {
+  if (const Generation greatest = greatestHeard(now.monotonic); greatest > generation_) {
+    enter(world, greatest, now);
+    return;
+  }
+  forgetWells(world, now);
+  balls_.applyDue(world, self_);
+  balls_.closeOffers();
+  const bool looksForOrphans = now.monotonic >= nextAdoption_;
+  const bool looksForNearer = world.step >= nextOffers_ && !isStopped(world);
+  if (!looksForOrphans && !looksForNearer) return;
+
+  const std::vector<PeerWell> wells = livingWells(world, now);
+  if (looksForOrphans) {
+    balls_.adoptOrphans(world, self_, peers_.leases(), wells, options_.lease, now.monotonic);
+    nextAdoption_ = now.monotonic + kAdoptionInterval;
+  }
+  if (looksForNearer) {
+    std::vector<Incarnation> receivers;
+    for (const Peer* peer : peers_.livingActive(now.monotonic)) receivers.push_back(peer->who);
+    balls_.offerNearer(world, self_, wells, receivers, options_.handover, now.monotonic);
+    nextOffers_ = world.step + kOfferInterval;
+  }
+}
+
+void Session::forgetWells(World& world, Times now) {
+  const auto living = peers_.living(now.monotonic);
+  removeTracks(world.tracks, [&](PeerId id) {
+    return id != peer() &&
+           std::ranges::none_of(living, [&](const Peer* p) { return p->who.peer == id; });
+  });
+  pruneTracks(world.tracks, world.step);
+}
+
+void Session::fenceAfterStall(World& world, Times now) {
+  if (phase_ == Phase::Active && lastLoop_ &&
+      mustFence(*lastLoop_, now.monotonic, options_.lease)) {
+    note("stood still for " + std::to_string(now.monotonic - *lastLoop_) +
+         " s, gives up its balls and starts over");
+    fence(world, peer(), now);
+  }
+  lastLoop_ = now.monotonic;
+}
+
+void Session::fence(World& world, PeerId newId, Times now) {
+  const double lastLoop = lastLoop_.value_or(now.monotonic);
+  ++counts_.fences;
+  peers_.leases().end(self_, now.monotonic);
+  if (newId != peer()) removeTracks(world.tracks, [&](PeerId id) { return id == peer(); });
+  takeIncarnation(newId, now);
+  balls_.drop(world);
+  if (peers_.heardMemberSince(lastLoop - options_.lease)) {
+    lastActiveHeard_ = now.monotonic;
+    phase_ = Phase::Syncing;
+    return;
+  }
+  // There was nobody who could have taken the balls.
+  balls_.adoptAll(world, self_, peers_.leases(), now.monotonic);
+}
+
+void Session::takeIncarnation(PeerId peer, Times now) {
+  if (self_.number != 0) formerIncarnations_.push_back(self_.number);
+  do {
+    self_ = {peer, static_cast<std::int64_t>(random_.bits())};
+  } while (self_.number == 0);
+  startedUs_ = std::max(startedUs_ + 1, now.wallUs);
+  sequence_ = 0;
+  nextHeartbeat_ = now.monotonic;
+}
+
+}  // namespace wells

@@ -1,0 +1,173 @@
+// What a session does with what it receives. Whatever is refused here changes nothing.
+#include <algorithm>
+
+#include "network/message_fields.h"
+#include "network/session.h"
+#include "network/wells_exchange.h"
+#include "network/world_difference.h"
+
+namespace wells {
+namespace {
+
+// Heartbeats heard from another peer with our id before we believe in it. A message of our own
+// predecessor that is still under way must not drive us out.
+constexpr int kHeartbeatsToBelieve = 3;
+
+std::string describe(const Peer& peer) {
+  return "peer " + std::to_string(value(peer.who.peer));
+}
+
+}  // namespace
+
+void Session::receive(World& world, std::string_view channel, std::span<const std::byte> bytes,
+                      Times now) {
+  const auto decoded =
+      decode(channel, bytes, {.balls = static_cast<std::int64_t>(records().size())});
+  const Message* message = std::get_if<Message>(&decoded);
+  const auto drop = message ? heed(world, *message, now) : std::get<Drop>(decoded);
+  if (drop) {
+    counts_.drops.add(*drop);
+  } else {
+    ++counts_.accepted;
+  }
+}
+
+std::optional<Drop> Session::heed(World& world, const Message& message, Times now) {
+  const std::int64_t sender = headerOf(message).incarnation;
+  if (sender == self_.number || std::ranges::count(formerIncarnations_, sender) > 0)
+    return Drop::Echo;
+  return std::visit([&](const auto& m) { return hear(world, m, now); }, message);
+}
+
+std::optional<Drop> Session::hear(World& world, const gravity_wells::heartbeat_t& m, Times now) {
+  if (const auto drop = peers_.hear(m, now)) {
+    if (*drop == Drop::ClockApart) noteClock(m.header, now);
+    return drop;
+  }
+  const Peer& other = *peers_.find(m.header.incarnation);
+  if (other.who.peer == peer()) return settleId(world, other, now);
+  const bool isForeign = other.generation.exists() && other.generation != generation_;
+  if (isForeign && phase_ != Phase::Joining) return Drop::ForeignGeneration;
+  return std::nullopt;
+}
+
+std::optional<Drop> Session::settleId(World& world, const Peer& other, Times now) {
+  if (other.heartbeats < kHeartbeatsToBelieve || other.isOver) return Drop::DuplicateId;
+  const bool otherJoins = other.phase == Phase::Joining;
+  const bool weJoin = phase_ == Phase::Joining;
+  const bool isRival = !weJoin && !otherJoins && other.generation == generation_;
+  bool weYield = other.startedBefore(startedUs_, self_.number);
+  if (weJoin != otherJoins) {
+    weYield = weJoin;
+  } else if (!weJoin && !isRival) {
+    weYield = other.generation > generation_;
+  }
+  if (weYield) {
+    giveUpId(world, now);
+  } else if (isRival) {
+    // The others may have taken it for our successor, and count our incarnation out.
+    fence(world, peer(), now);
+  }
+  return Drop::DuplicateId;
+}
+
+void Session::giveUpId(World& world, Times now) {
+  const std::string taken = "peer id " + std::to_string(value(peer())) +
+                            " is in use by a peer that has been here for longer";
+  const PeerId free = peers_.lowestFreeId(now.monotonic);
+  if (options_.idChoice == PeerIdChoice::Explicit || free == kNobody) {
+    error_ = std::make_exception_ptr(
+        PeerIdTaken(taken + (free == kNobody ? ", and so is every other up to 255"
+                                             : "; choose another, or leave the choice to us")));
+    return;
+  }
+  note(taken + "; takes id " + std::to_string(value(free)) + " instead");
+  if (phase_ == Phase::Joining) {
+    takeIncarnation(free, now);
+    listenUntil_ = std::max(listenUntil_, now.monotonic + options_.lease);
+  } else {
+    fence(world, free, now);
+  }
+}
+
+std::optional<Drop> Session::checkMember(const gravity_wells::peer_header_t& header, Times now) {
+  if (const auto drop = peers_.hear(header, now)) return drop;
+  if (phase_ == Phase::Joining) return Drop::NotJoined;
+  if (header.peer_id == value(peer())) return Drop::DuplicateId;
+  if (generationOf(header) != generation_) return Drop::ForeignGeneration;
+  if (peers_.find(header.incarnation)->phase != Phase::Active) return Drop::NotActive;
+  return std::nullopt;
+}
+
+std::optional<Drop> Session::hear(World& world, const gravity_wells::wells_t& m, Times now) {
+  if (const auto drop = checkMember(m.header, now)) return drop;
+  learnTrack(world.tracks, PeerId{m.header.peer_id}, m);
+  return std::nullopt;
+}
+
+std::optional<Drop> Session::hear(World& world, const gravity_wells::ball_states_t& m, Times now) {
+  if (const auto drop = checkMember(m.header, now)) return drop;
+  const Incarnation owner{PeerId{m.header.peer_id}, m.header.incarnation};
+  std::optional<Drop> refused;
+  for (const auto& ball : m.balls) {
+    const BallNews news{static_cast<std::size_t>(ball.id), versionOf(m.header, ball, owner, m.step),
+                        stateOf(ball)};
+    const auto drop = phase_ == Phase::Active ? balls_.hearState(world, news, now.monotonic)
+                                              : balls_.gather(world, news, Standing::Heard);
+    if (drop) refused = drop;
+  }
+  return refused;
+}
+
+std::optional<Drop> Session::hear(World& world, const gravity_wells::offers_t& m, Times now) {
+  if (const auto drop = checkMember(m.header, now)) return drop;
+  const Incarnation receiver{PeerId{m.receiver}, m.receiver_incarnation};
+  std::optional<Drop> refused;
+  for (const auto& ball : m.balls) {
+    const BallNews news{static_cast<std::size_t>(ball.id),
+                        versionOf(m.header, ball, receiver, m.step), stateOf(ball)};
+    std::optional<Drop> drop;
+    if (news.version.epoch == 0) {
+      drop = Drop::ImpossibleVersion;  // an offer always begins an epoch
+    } else if (phase_ == Phase::Active) {
+      drop = balls_.hearOffer(world, news, self_, now.monotonic, options_.lease / 2);
+    } else {
+      drop = balls_.gather(world, news, Standing::Named);
+    }
+    if (drop) refused = drop;
+  }
+  return refused;
+}
+
+std::optional<Drop> Session::hear(World&, const gravity_wells::world_config_t& m, Times now) {
+  const auto drop = peers_.hear(m.header, now);
+  if (drop == Drop::ForeignWorld) noteForeignWorld(*peers_.find(m.header.incarnation), m.canonical);
+  return drop;
+}
+
+void Session::noteForeignWorld(Peer& other, const std::string& canonical) {
+  if (other.isNoted) return;
+  other.isNoted = true;
+  const std::string text = describe(other) + " simulates another world: " +
+                           describeDifference(canonical, options_.canonicalConfig);
+  const bool isSenior =
+      other.phase != Phase::Joining || other.startedBefore(startedUs_, self_.number);
+  if (phase_ == Phase::Joining && isSenior) {
+    error_ = std::make_exception_ptr(WorldMismatch(text));
+  } else {
+    note(text + "; it is ignored");
+  }
+}
+
+void Session::noteClock(const gravity_wells::peer_header_t& header, Times now) {
+  if (std::exchange(clockIsNoted_, true)) return;
+  const double apart = static_cast<double>(header.utime - now.wallUs) * 1e-6;
+  note("the wall clock of peer " + std::to_string(header.peer_id) + " is " + std::to_string(apart) +
+       " s ahead of ours; set both to the same time, it is ignored");
+}
+
+std::optional<Drop> Session::hear(World&, const gravity_wells::statistics_t& m, Times now) {
+  return peers_.hear(m.header, now);
+}
+
+}  // namespace wells

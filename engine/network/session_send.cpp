@@ -1,0 +1,174 @@
+// What a session sends, and when.
+#include <algorithm>
+#include <cmath>
+
+#include "network/message_fields.h"
+#include "network/session.h"
+#include "network/wells_exchange.h"
+
+namespace wells {
+namespace {
+
+constexpr double kWellInterval = 0.05;    // s; every keyframe is repeated until it is long past
+constexpr double kOfferInterval = 0.1;    // s between repetitions of an offer
+constexpr double kStoppedInterval = 0.2;  // s between repetitions of the states of a stopped world
+constexpr int kFarewells = 3;             // good-byes, since any may be lost
+
+bool isDue(double& next, double interval, double now) {
+  if (now < next) return false;
+  next = now - next > interval ? now + interval : next + interval;  // what was missed stays missed
+  return true;
+}
+
+}  // namespace
+
+void Session::publish(World& world, Times now) {
+  if (phase_ == Phase::Leaving) return;
+  const double t = now.monotonic;
+  if (isDue(nextHeartbeat_, 1 / options_.heartbeatRate, t)) sendHeartbeat(world, now);
+  if (isDue(nextConfig_, 1, t)) sendConfig(world, now);
+  if (phase_ != Phase::Active) return;
+  if (isDue(nextWell_, kWellInterval, t)) sendWell(world, now);
+  if (isDue(nextStates_, 1 / options_.stateRate, t)) {
+    StatePace pace{.moving = 1 / options_.stateRate, .limit = options_.ballsPerTick};
+    if (isStopped(world)) pace.moving = pace.resting = kStoppedInterval;
+    sendStates(world, schedule_.pick(world, pace, t), now);
+  }
+  sendOffers(world, now);
+  if (isDue(nextStatistics_, 1, t)) sendStatistics(world, now);
+}
+
+void Session::leave(World& world, Times now) {
+  if (phase_ == Phase::Leaving) return;
+  if (phase_ == Phase::Active) {
+    // No more than the receivers' buffers hold; of the rest they have predictions.
+    const StatePace pace{.moving = 0, .resting = 0, .limit = 2 * options_.ballsPerTick};
+    sendStates(world, schedule_.pick(world, pace, now.monotonic), now);
+  }
+  phase_ = Phase::Leaving;
+  for (int i = 0; i < kFarewells; ++i) sendHeartbeat(world, now);
+}
+
+gravity_wells::peer_header_t Session::header(const World& world, Times now) {
+  return {.utime = now.wallUs,
+          .protocol = gravity_wells::peer_header_t::PROTOCOL,
+          .peer_id = value(peer()),
+          .incarnation = self_.number,
+          .sequence = ++sequence_,
+          .generation_resets = generation_.resets,
+          .generation_founded = generation_.foundedUs,
+          .generation_nonce = generation_.nonce,
+          .step = world.step};
+}
+
+void Session::send(const Message& message) {
+  MessageBuffer buffer;
+  const auto bytes = encode(message, buffer);
+  transport_.publish(std::visit([](const auto& m) { return channelOf(m); }, message), bytes);
+}
+
+void Session::sendHeartbeat(const World& world, Times now) {
+  gravity_wells::heartbeat_t m;
+  m.header = header(world, now);
+  m.started = startedUs_;
+  m.world_hash = options_.worldHash;
+  m.phase = static_cast<std::int32_t>(phase_);
+  m.paused = isPaused(world);
+  m.lease_ms = static_cast<std::int32_t>(std::lround(options_.lease * 1000));
+  m.balls_owned = static_cast<std::int32_t>(ballsOwnedHere());
+  send(m);
+}
+
+void Session::sendConfig(const World& world, Times now) {
+  gravity_wells::world_config_t m;
+  m.header = header(world, now);
+  m.world_hash = options_.worldHash;
+  m.canonical = options_.canonicalConfig;
+  send(m);
+}
+
+void Session::sendWell(const World& world, Times now) {
+  gravity_wells::wells_t m = wellMessage(world.tracks, peer());
+  m.header = header(world, now);
+  send(m);
+}
+
+void Session::sendStates(const World& world, const std::vector<std::uint32_t>& chosen, Times now) {
+  for (std::size_t first = 0; first < chosen.size(); first += kMaxBallsInMessage) {
+    const std::size_t end = std::min<std::size_t>(first + kMaxBallsInMessage, chosen.size());
+    gravity_wells::ball_states_t m;
+    m.header = header(world, now);
+    m.step = world.step;
+    for (std::size_t i = first; i < end; ++i) {
+      const std::uint32_t ball = chosen[i];
+      m.balls.push_back(ballMessage(ball, balls_.publish(world, ball), world.balls.state(ball)));
+    }
+    m.count = static_cast<std::int32_t>(m.balls.size());
+    send(m);
+  }
+}
+
+void Session::sendOffers(const World& world, Times now) {
+  balls_.closeOffers();
+  std::vector<OpenOffer*> due;
+  for (OpenOffer& open : balls_.openOffers()) {
+    if (now.monotonic < open.nextSend) continue;
+    open.nextSend = now.monotonic + kOfferInterval;
+    due.push_back(&open);
+  }
+  // A message has one receiver and one step.
+  const auto shares = [](const OpenOffer* a, const OpenOffer* b) {
+    return a->version.owner == b->version.owner && a->version.step == b->version.step;
+  };
+  std::ranges::stable_sort(due, {}, [](const OpenOffer* open) {
+    return std::pair(open->version.owner, open->version.step);
+  });
+  for (std::size_t first = 0; first < due.size();) {
+    const Version& version = due[first]->version;
+    gravity_wells::offers_t m;
+    m.header = header(world, now);
+    m.receiver = value(version.owner.peer);
+    m.receiver_incarnation = version.owner.number;
+    m.step = version.step;
+    std::size_t next = first;
+    for (; next < due.size() && next - first < kMaxBallsInMessage && shares(due[first], due[next]);
+         ++next)
+      m.balls.push_back(ballMessage(due[next]->ball, due[next]->version, due[next]->state));
+    m.count = static_cast<std::int32_t>(m.balls.size());
+    send(m);
+    first = next;
+  }
+}
+
+void Session::sendStatistics(const World& world, Times now) {
+  const TransportCounts transport = transport_.counts();
+  const BallCounts& balls = balls_.counts();
+  gravity_wells::statistics_t m;
+  m.header = header(world, now);
+  m.sim_time = world.time();
+  m.simulation_rate = measures_.simulationRate;
+  m.simulation_target = measures_.simulationTarget;
+  m.network_rate = measures_.networkRate;
+  m.network_target = measures_.networkTarget;
+  m.graphics_rate = measures_.graphicsRate;
+  m.graphics_target = measures_.graphicsTarget;
+  m.kinetic_energy = measures_.kineticEnergy;
+  m.potential_energy = measures_.potentialEnergy;
+  m.max_overlap = measures_.maxOverlap;
+  m.balls_owned = static_cast<std::int32_t>(ballsOwnedHere());
+  m.balls_ghost = static_cast<std::int32_t>(balls_.ghosts());
+  m.peers_heard = static_cast<std::int32_t>(peers_.living(now.monotonic).size());
+  m.handovers_given = balls.handoversGiven;
+  m.handovers_taken = balls.handoversTaken;
+  m.adoptions = balls.adoptions;
+  m.view_difference_max = viewDifference();
+  m.messages_sent = transport.messagesSent;
+  m.messages_received = counts_.accepted;
+  m.messages_dropped =
+      counts_.drops.total() + transport.droppedSending + transport.droppedReceiving;
+  m.bytes_sent = transport.bytesSent;
+  m.bytes_received = transport.bytesReceived;
+  send(m);
+}
+
+}  // namespace wells

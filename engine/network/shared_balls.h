@@ -1,0 +1,149 @@
+// The balls of a session: who owns each, by its record, and what its state is here. Applies what
+// other peers say about balls to the world, and decides what this peer does with its own: offer,
+// accept, adopt. Sends nothing and knows no clock.
+//
+// A ball that this peer owns has Role::Owned in the world; every other one is a ghost.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "network/drops.h"
+#include "network/session_options.h"
+#include "network/view_history.h"
+#include "ownership/adoption.h"
+#include "ownership/leases.h"
+#include "ownership/records.h"
+
+namespace wells {
+
+/// What a message says about one ball.
+struct BallNews {
+  std::size_t ball = 0;
+  Version version{};
+  BallState state{};
+};
+
+/// An offer that must be repeated until its receiver is heard.
+struct OpenOffer {
+  std::size_t ball = 0;
+  Version version{};
+  BallState state{};    // at the start of version.step
+  double nextSend = 0;  // s
+};
+
+struct BallCounts {
+  std::int64_t handoversGiven = 0;
+  std::int64_t handoversTaken = 0;
+  std::int64_t adoptions = 0;
+};
+
+class SharedBalls {
+ public:
+  /// Steps that a state may lie ahead of ours; and behind, before it is taken as if it were so old.
+  static constexpr std::int64_t kMaxAhead = 120;
+  static constexpr std::int64_t kMaxPredicted = 300;
+
+  SharedBalls(const World& initial, Predictor predict);
+
+  // Changes of the session as a whole.
+
+  /// `self` founds a generation and owns everything.
+  void found(World& world, const Generation& generation, const Incarnation& self);
+
+  /// Starts over in another generation: initial states, records that know nothing.
+  void enter(World& world, const Generation& generation);
+
+  /// Gives everything up after our own loop stood still: records stay (a version never goes back),
+  /// every state has to be heard again.
+  void drop(World& world);
+
+  /// Balls of which no state was heard since enter() or drop().
+  std::size_t missing() const { return missing_; }
+
+  /// The latest step of the states that were heard since then.
+  std::int64_t latestStep() const;
+
+  /// Ends the gathering: all states are brought to world.step.
+  void activate(World& world);
+
+  // What others say. Only of members that are active in our generation.
+
+  /// While gathering: keeps the newest state of each ball.
+  std::optional<Drop> gather(World& world, const BallNews& news, Standing standing);
+
+  /// While active: an owner's state.
+  std::optional<Drop> hearState(World& world, const BallNews& news, double now);
+
+  /// While active: an offer, to us (`self`) or to somebody else. Offers to others are repeated from
+  /// here, too, if their receiver is not heard for `patience` (s): the one who made the offer may
+  /// be gone.
+  std::optional<Drop> hearOffer(World& world, const BallNews& news, const Incarnation& self,
+                                double now, double patience);
+
+  /// Applies what was heard early and holds at world.step. Call at every step.
+  void applyDue(World& world, const Incarnation& self);
+
+  // What this peer does.
+
+  /// Offers the balls for which another peer's well is nearer, by the rule. `receivers` holds the
+  /// incarnations of the peers whose wells these are.
+  void offerNearer(World& world, const Incarnation& self, std::span<const PeerWell> wells,
+                   std::span<const Incarnation> receivers, const HandoverRule& rule, double now);
+
+  /// Adopts the balls whose owner's lease has ended long enough ago. `wells` are those of the
+  /// living, ours included; lease in s.
+  void adoptOrphans(World& world, const Incarnation& self, Leases& leases,
+                    std::span<const PeerWell> wells, double lease, double now);
+
+  /// Adopts every ball whose owner is not alive, without waiting: nobody else is there.
+  void adoptAll(World& world, const Incarnation& self, const Leases& leases, double now);
+
+  /// Notes that the state at world.step is published, and returns its version.
+  Version publish(const World& world, std::size_t ball);
+
+  /// Keeps what is shown at world.step.
+  void recordView(const World& world);
+
+  // What there is to see.
+
+  const std::vector<Record>& records() const { return records_; }
+  std::vector<OpenOffer>& openOffers() { return openOffers_; }
+
+  /// Forgets the offers whose receiver was heard, or that something newer has overtaken.
+  void closeOffers();
+
+  /// True when every ball here has the state that its owner has published for this step.
+  bool isSettled(const World& world) const;
+
+  std::size_t ghosts() const { return ghosts_; }
+  const BallCounts& counts() const { return counts_; }
+  const ViewDifference& viewDifference() const { return viewDifference_; }
+
+ private:
+  std::optional<Drop> check(const World& world, const BallNews& news) const;
+  void setRole(World& world, std::size_t ball, Role role);
+  void place(World& world, const BallNews& news);
+  void take(World& world, std::size_t ball, const Incarnation& self);
+  void adoptBall(World& world, std::size_t ball, const Incarnation& self);
+  void compareWithView(const World& world, const BallNews& news, double now);
+
+  Predictor predict_;
+  Balls initial_;
+  std::vector<Record> records_;
+  std::vector<HandoverWatch> watches_;
+  std::vector<char> gathered_;
+  std::size_t missing_ = 0;
+  std::size_t ghosts_ = 0;
+  std::map<std::pair<std::int64_t, std::size_t>, BallNews> early_;  // by (step, ball)
+  std::vector<OpenOffer> openOffers_;
+  ViewHistory views_;
+  ViewDifference viewDifference_;
+  BallCounts counts_;
+};
+
+}  // namespace wells

@@ -1,0 +1,61 @@
+#include "ownership/leases.h"
+
+#include <limits>
+
+namespace wells {
+
+bool Leases::hear(const Incarnation& who, std::int64_t step, Progress progress, double duration,
+                  double now) {
+  const auto [entry, isNew] = leases_.try_emplace(who, Lease{step, duration, now, std::nullopt});
+  Lease& lease = entry->second;
+  if (lease.ended) return false;
+  lease.duration = duration;
+  if (!isNew && step <= lease.step && progress == Progress::Running) return false;
+  lease.step = step;
+  lease.renewed = now;
+  return true;
+}
+
+void Leases::expect(const Incarnation& who, double duration, double now) {
+  // Below every step, so that the first message heard renews it.
+  leases_.try_emplace(who,
+                      Lease{std::numeric_limits<std::int64_t>::min(), duration, now, std::nullopt});
+}
+
+void Leases::end(const Incarnation& who, double now) {
+  Lease& lease = leases_.try_emplace(who, Lease{0, 0, now, std::nullopt}).first->second;
+  if (!lease.ended) lease.ended = endedAt(lease, now).value_or(now);
+}
+
+void Leases::supersede(const Incarnation& newest, double now) {
+  for (auto& [who, lease] : leases_)
+    if (who.peer == newest.peer && who.number != newest.number && !lease.ended)
+      lease.ended = endedAt(lease, now).value_or(now);
+}
+
+bool Leases::isOver(const Incarnation& who) const {
+  const auto entry = leases_.find(who);
+  return entry != leases_.end() && entry->second.ended;
+}
+
+std::optional<double> Leases::endedAt(const Incarnation& who, double now) const {
+  const auto entry = leases_.find(who);
+  if (entry == leases_.end()) return -std::numeric_limits<double>::infinity();
+  return endedAt(entry->second, now);
+}
+
+std::optional<double> Leases::endedAt(const Lease& lease, double now) const {
+  if (lease.ended) return lease.ended;
+  const double runsOut = lease.renewed + lease.duration;
+  if (now >= runsOut) return runsOut;
+  return std::nullopt;
+}
+
+void Leases::forget(double time, double now) {
+  std::erase_if(leases_, [&](const auto& entry) {
+    const auto ended = endedAt(entry.second, now);
+    return ended && *ended < time;
+  });
+}
+
+}  // namespace wells
