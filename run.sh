@@ -8,17 +8,18 @@ default_url="udpm://239.255.76.67:9171?ttl=0&recv_buf_size=2097152"
 
 usage() {
   cat <<END
-usage: ./run.sh [demo] [OPTION...]     two peers on this machine share a world for 10 s (the default)
-       ./run.sh peer [OPTION...]       one peer; ./run.sh peer --help lists its options
-       ./run.sh bench [OPTION...]      one scene, measured; ./run.sh bench --help
-       ./run.sh spy [OPTION...]        lcm-spy, with our message types
-       ./run.sh lcm-logger [OPTION...] [FILE]     records a session
-       ./run.sh lcm-logplayer [OPTION...] FILE    plays one back
+usage: ./run.sh [demo] [OPTION...]         two peers on this machine share a world for 10 s
+       ./run.sh peer [OPTION...]           one peer; ./run.sh peer --help lists its options
+       ./run.sh bench [OPTION...]          one scene, measured; ./run.sh bench --help
+       ./run.sh spy [OPTION...]            lcm-spy, with our message types
+       ./run.sh lcm-logger [OPTION...]     records a session; --help lists its options
+       ./run.sh lcm-logplayer [OPTION...]  plays a record back; --help
+       ./run.sh lcm-sink, lcm-source       does multicast pass between two machines?
        ./run.sh help
 
-spy, lcm-logger and lcm-logplayer use the URL of a session with the default settings,
+spy and the lcm- tools listen to a session with the default settings,
   $default_url
-unless --lcm-url=URL or the variable LCM_DEFAULT_URL names another.
+unless the variable LCM_DEFAULT_URL or their own option --lcm-url=URL names another.
 END
 }
 
@@ -74,7 +75,7 @@ case ${1-} in
     shift
     spy "$@"
     ;;
-  lcm-logger | lcm-logplayer)
+  lcm-logger | lcm-logplayer | lcm-sink | lcm-source)
     "$root/app/install.sh"
     exec "$(lcm_tool "$1")" "${@:2}"
     ;;
