@@ -147,7 +147,7 @@ BenchResult runWithProgress(Stepper& stepper, World world, std::int64_t steps) {
   const ProgressLine line({.steps = steps, .dt = world.settings.dt, .hasEnd = true},
                           ProgressLine::Shown::Yes);
   const auto start = std::chrono::steady_clock::now();
-  Progress progress;
+  RunProgress progress;
   return benchmark(stepper, std::move(world), steps, [&](std::int64_t done) {
     progress.step = done;
     line.show(progress,

@@ -14,8 +14,8 @@ namespace wells {
 struct Setting {
   std::string key;
   std::string value;
-  std::filesystem::path file;  // empty: the command line
-  int line = 0;                // of the file, from 1
+  std::filesystem::path file{};  // empty: the command line
+  int line = 0;                  // of the file, from 1
 };
 
 /// "config/template.txt:5: Elasticity=1.5" or "--Elasticity 1.5".

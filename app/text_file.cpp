@@ -12,7 +12,19 @@
 
 namespace wells {
 
+namespace {
+
 namespace fs = std::filesystem;
+
+fs::path parentOf(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+bool isWritableFolder(const fs::path& folder) {
+  return fs::is_directory(folder) && ::access(folder.c_str(), W_OK) == 0;
+}
+
+}  // namespace
 
 std::vector<std::string> readLines(const fs::path& file) {
   if (fs::is_directory(file))
@@ -47,14 +59,20 @@ void writeAtomically(const fs::path& file, std::string_view text) {
 }
 
 void requireWritable(std::string_view option, const fs::path& file) {
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  if (fs::is_directory(folder) && ::access(folder.c_str(), W_OK) == 0 && !fs::is_directory(file) &&
-      file.has_filename())
-    return;
+  if (isWritableFolder(parentOf(file)) && !fs::is_directory(file) && file.has_filename()) return;
   throw UsageError(
       fmt::format("{} {}: cannot be written; allowed: a file in a folder that exists "
                   "and is writable",
                   option, file.string()));
+}
+
+void requireFolder(std::string_view option, const fs::path& folder) {
+  const bool canBeMade = !fs::exists(folder) && isWritableFolder(parentOf(folder));
+  if (isWritableFolder(folder) || canBeMade) return;
+  throw UsageError(
+      fmt::format("{} {}: cannot be written; allowed: a writable folder, or a new one "
+                  "in a folder that exists",
+                  option, folder.string()));
 }
 
 }  // namespace wells

@@ -18,4 +18,7 @@ void writeAtomically(const std::filesystem::path& file, std::string_view text);
 /// Throws UsageError unless a file can be created in the folder of `file`. `option` is named.
 void requireWritable(std::string_view option, const std::filesystem::path& file);
 
+/// Throws UsageError unless `folder` is a writable folder or can be made.
+void requireFolder(std::string_view option, const std::filesystem::path& folder);
+
 }  // namespace wells

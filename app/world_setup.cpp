@@ -95,10 +95,14 @@ std::string canonicalText(const Config& config, std::string_view engine, const B
 
 }  // namespace
 
+double stepLength(const Config& config, std::string_view engine) {
+  return config.settings.dt * (stretchesStep(engine) ? config.timeScale : 1);
+}
+
 World makeWorld(const Config& config, std::string_view engine) {
   World world;
   world.settings = config.settings;
-  if (stretchesStep(engine)) world.settings.dt *= config.timeScale;
+  world.settings.dt = stepLength(config, engine);
   world.arena = config.arena;
   for (const Well& well : config.wells) {
     world.tracks.push_back({.keyframes = {{.position = well.position, .strength = well.strength}},
@@ -116,13 +120,13 @@ World makeWorld(const Config& config, std::string_view engine) {
 
 std::string canonicalConfig(const Config& config, std::string_view engine, const Balls& initial) {
   const std::string text = canonicalText(config, engine, initial, Wells::Listed);
-  if (text.size() <= kMaxCanonicalBytes) return text;
+  if (text.size() <= kCanonicalLimit) return text;
   return canonicalText(config, engine, initial, Wells::Hashed);
 }
 
-double secondsPerStep(const Config& config, std::string_view engine) {
+double stepRate(const Config& config, std::string_view engine) {
   const double rate = config.simulationRate > 0 ? config.simulationRate : 1 / config.settings.dt;
-  return 1 / (stretchesStep(engine) ? rate : rate * config.timeScale);
+  return stretchesStep(engine) ? rate : rate * config.timeScale;
 }
 
 }  // namespace wells

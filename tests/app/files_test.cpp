@@ -6,9 +6,9 @@
 #include "ball_file.h"
 #include "errors.h"
 #include "math/random.h"
-#include "own_well.h"
 #include "temporary_folder.h"
 #include "text_file.h"
+#include "well_motion.h"
 
 namespace wells {
 namespace {
@@ -102,58 +102,65 @@ TEST(TextFile, LeavesTheOldFileWhenItCannotWrite) {
   EXPECT_THROW(requireWritable("--report", "/proc/absent/file"), UsageError);
 }
 
-TEST(OwnWell, CircleKeepsItsRadiusPeriodAndStart) {
+TEST(WellMotion, CircleKeepsItsRadiusPeriodAndStart) {
   Config config;
   config.arena.center = {5, 1, -3};
   config.wellPath = {.kind = WellPath::Kind::Circle, .radius = 12, .period = 30};
   const double dt = 1.0 / 60;
-  const OwnWell well(config, PeerId{3}, dt);  // peer 3 stands a quarter turn from +x, at +z
-  EXPECT_NEAR((well.start().position - Vec3(5, 1.5, 9)).norm(), 0, 1e-12);
-  const WellTrack track = well.track(1800);
-  for (const WellKeyframe& key : track.keyframes) {
-    EXPECT_NEAR((key.position - Vec3(5, 1.5, -3)).norm(), 12, 1e-12);
-    const double angle = 2 * M_PI * (0.25 + static_cast<double>(key.step) * dt / 30);
-    EXPECT_NEAR(
-        (key.position - Vec3(5 + 12 * std::cos(angle), 1.5, -3 + 12 * std::sin(angle))).norm(), 0,
-        1e-9);
+  const WellMotion motion(config, dt);
+  for (std::int64_t step = 0; step <= 1800; step += 50) {
+    // Peer 3 stands a quarter turn from +x towards +z; its height is that of a ball on the ground.
+    const double angle = 2 * M_PI * (0.25 + static_cast<double>(step) * dt / 30);
+    const Vec3 expected(5 + 12 * std::cos(angle), 1.5, -3 + 12 * std::sin(angle));
+    EXPECT_NEAR((motion.at(PeerId{3}, step).position - expected).norm(), 0, 1e-9) << step;
   }
-  EXPECT_EQ(track.keyframes.back().step, 1800);
-  EXPECT_NEAR((track.keyframes.back().position - well.start().position).norm(), 0, 1e-9);
 }
 
-TEST(OwnWell, KeyframesComeInPiecesWithoutGapOrOverlap) {
+TEST(WellMotion, ATrackStaysShortAndNearThePath) {
   Config config;
-  config.wellPath = {.kind = WellPath::Kind::Circle, .radius = 5, .period = -7};
-  const OwnWell well(config, PeerId{1}, 1.0 / 60);
-  std::vector<WellKeyframe> pieces;
-  for (std::int64_t step = 0; step < 500; step += 25)
-    for (const WellKeyframe& key : well.keyframes(step, step + 25)) pieces.push_back(key);
-  const auto whole = well.keyframes(0, 500);
-  ASSERT_EQ(pieces.size(), whole.size());
-  for (std::size_t i = 0; i < whole.size(); ++i) EXPECT_EQ(pieces[i].step, whole[i].step);
+  config.wellPath = {.kind = WellPath::Kind::Circle, .radius = 20, .period = -20};
+  const double dt = 1.0 / 60;
+  const WellMotion motion(config, dt);
+  WellTrack track{.keyframes = {}, .softening = motion.softening(), .peer = PeerId{1}};
+  // A chord of 0.1 s leaves its arc by at most R (1 - cos(pi 0.1 / T)).
+  const double bound = 20 * (1 - std::cos(M_PI * 0.1 / 20)) + 1e-12;
+  for (std::int64_t step = 0; step < 2000; ++step) {
+    motion.extend(track, step);
+    ASSERT_LE(track.keyframes.size(), 3u);
+    const Vec3 shown = wellAt(track, step, dt).position;
+    ASSERT_LE((shown - motion.at(PeerId{1}, step).position).norm(), bound) << step;
+  }
 }
 
-TEST(OwnWell, FollowsAKeyframeFile) {
+TEST(WellMotion, AStillWellHasOneKeyframe) {
+  const WellMotion motion(Config{}, 1.0 / 60);
+  WellTrack track{.keyframes = {}, .peer = PeerId{2}};
+  for (std::int64_t step = 0; step < 100; ++step) motion.extend(track, step);
+  ASSERT_EQ(track.keyframes.size(), 1u);
+  EXPECT_NEAR((track.keyframes[0].position - Vec3(-20, 0.5, 0)).norm(), 0, 1e-9);
+}
+
+TEST(WellMotion, FollowsAKeyframeFile) {
   const TemporaryFolder folder;
   Config config;
   config.wellPath = {.kind = WellPath::Kind::Keyframes,
                      .file = folder.write("p.csv", "t,x,y,z,strength\n1,0,1,0,10\n2,4,1,0,20\n")};
-  const OwnWell well(config, PeerId{1}, 0.01);
-  const WellTrack track = well.track(1000);
-  EXPECT_EQ(wellAt(track, 0, 0.01).position, Vec3(0, 1, 0));
-  EXPECT_NEAR(wellAt(track, 150, 0.01).position.x(), 2, 1e-12);
-  EXPECT_EQ(wellAt(track, 150, 0.01).strength, 10);
-  EXPECT_EQ(wellAt(track, 200, 0.01).strength, 20);
-  EXPECT_EQ(wellAt(track, 900, 0.01).position, Vec3(4, 1, 0));
+  const WellMotion motion(config, 0.01);
+  const auto at = [&](std::int64_t step) { return motion.at(PeerId{1}, step); };
+  EXPECT_EQ(at(0).position, Vec3(0, 1, 0));
+  EXPECT_NEAR(at(150).position.x(), 2, 1e-12);
+  EXPECT_EQ(at(150).strength, 10);
+  EXPECT_EQ(at(200).strength, 20);
+  EXPECT_EQ(at(900).position, Vec3(4, 1, 0));
 }
 
-TEST(OwnWell, RefusesTimesThatDoNotRise) {
+TEST(WellMotion, RefusesTimesThatDoNotRise) {
   const TemporaryFolder folder;
   Config config;
   config.wellPath = {.kind = WellPath::Kind::Keyframes,
                      .file = folder.write("p.csv", "t,x,y,z,strength\n1,0,1,0,10\n1,4,1,0,20\n")};
   try {
-    const OwnWell well(config, PeerId{1}, 0.01);
+    const WellMotion motion(config, 0.01);
     FAIL();
   } catch (const UsageError& error) {
     EXPECT_NE(std::string(error.what()).find("p.csv:3: t=1: not later than the line before"),

@@ -1,0 +1,34 @@
+// A process that runs this executable again with other arguments; no shell in between.
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace wells {
+
+class ChildProcess {
+ public:
+  /// Starts it; what it says on standard output and error goes into `log`. Throws RunError.
+  ChildProcess(const std::vector<std::string>& arguments, const std::filesystem::path& log);
+
+  /// Kills it if it still runs.
+  ~ChildProcess();
+  ChildProcess(ChildProcess&& other) noexcept;
+  ChildProcess& operator=(ChildProcess&&) = delete;
+
+  /// The exit status once it has ended (128 + signal if one ended it), else nothing.
+  std::optional<int> poll();
+
+  /// Asks it to end cleanly.
+  void interrupt() const;
+
+ private:
+  pid_t process_ = -1;
+  std::optional<int> status_;
+};
+
+}  // namespace wells

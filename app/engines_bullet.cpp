@@ -1,0 +1,19 @@
+#include "baseline/bullet.h"
+#include "engines.h"
+#include "predictors.h"
+
+namespace wells {
+
+bool hasEngine(std::string_view name) {
+  return name == "bullet";
+}
+
+std::unique_ptr<Stepper> makeEngine(std::string_view) {
+  return makeBullet();
+}
+
+Predictor makePredictor(std::string_view engine) {
+  return makeOneBallPredictor(engine);
+}
+
+}  // namespace wells

@@ -1,0 +1,67 @@
+// Gravity Wells: the command line's first word and the exit status.
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "bench.h"
+#include "demo.h"
+#include "engines.h"
+#include "errors.h"
+#include "keys.h"
+#include "peer.h"
+#include "peer_options.h"
+
+namespace wells {
+namespace {
+
+constexpr const char* kUsage =
+    "usage: gravity-wells peer [OPTION...]    one peer of a session, or a world alone (--solo)\n"
+    "       gravity-wells demo [OPTION...]    two peers on this machine share a world\n"
+    "       gravity-wells bench [OPTION...]   one scene, measured\n"
+    "       gravity-wells keys                the config keys as a Markdown table\n"
+    "Each takes --help.\n";
+
+int peer(const std::vector<std::string>& arguments, char** argv) {
+  const auto options = parsePeerOptions(arguments);
+  if (!options) return 0;
+  becomeExecutableOf(options->engine, argv);
+  return runPeer(*options);
+}
+
+int run(int argc, char** argv) {
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  const std::string command = words.empty() ? "" : words.front();
+  const std::vector<std::string> arguments(words.begin() + (words.empty() ? 0 : 1), words.end());
+  if (command == "peer") return peer(arguments, argv);
+  if (command == "bench") return runBench(arguments, argv);
+  if (command == "demo") return runDemo(arguments);
+  if (command == "keys") {
+    fmt::print("{}", keysAsMarkdown());
+    return 0;
+  }
+  if (command == "help" || command == "--help" || command == "-h") {
+    fmt::print("{}", kUsage);
+    return 0;
+  }
+  throw UsageError(fmt::format("{}: no such command; allowed: peer, demo, bench, keys, help",
+                               command.empty() ? "\"\"" : command));
+}
+
+}  // namespace
+}  // namespace wells
+
+int main(int argc, char** argv) {
+  try {
+    return wells::run(argc, argv);
+  } catch (const wells::UsageError& error) {
+    fmt::print(stderr, "gravity-wells: {}\n", error.what());
+    return wells::kExitUsage;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "gravity-wells: {}\n", error.what());
+    return wells::kExitFailure;
+  }
+}

@@ -1,0 +1,203 @@
+#include "peer_options.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "command_line.h"
+#include "config_file.h"
+#include "engines.h"
+#include "errors.h"
+#include "keys.h"
+#include "network/lcm_url.h"
+#include "text_file.h"
+#include "values.h"
+#include "world_setup.h"
+
+namespace wells {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Other spellings of keys on the command line.
+constexpr std::pair<std::string_view, std::string_view> kAliases[] = {
+    {"Dt", "--dt"}, {"Integrator", "--integrator"}, {"PeerID", "--peer-id"}};
+
+constexpr double kLongestRun = 1e9;  // s, steps
+
+struct RunLength {
+  std::optional<double> duration;  // s
+  std::optional<std::int64_t> steps;
+};
+
+std::string optionNamesOf(const Key& key) {
+  std::string names = "--" + key.name;
+  for (const auto& [name, alias] : kAliases)
+    if (name == key.name) names += fmt::format(",{}", alias);
+  return names;
+}
+
+void addKeys(CLI::App& app, std::vector<Setting>& settings) {
+  for (const Key& key : keys()) {
+    const auto collect = [&settings, name = key.name](const std::vector<std::string>& values) {
+      for (const std::string& value : values) settings.push_back({.key = name, .value = value});
+    };
+    app.add_option_function<std::vector<std::string>>(optionNamesOf(key), collect,
+                                                      fmt::format("{}. {}", key.help, key.allowed))
+        ->type_size(1)
+        ->allow_extra_args(false)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->type_name(key.unit.empty() ? "VALUE" : key.unit)
+        ->default_str(key.defaultText())
+        ->group(key.group);
+  }
+}
+
+void addPath(CLI::App& app, const std::string& name, fs::path& path, const std::string& help,
+             const std::string& group) {
+  app.add_option_function<std::string>(
+         name,
+         [&path, name](const std::string& value) {
+           if (trimmed(value).empty())
+             throw UsageError(fmt::format("{} \"\": the value is missing; allowed: a name", name));
+           path = value;
+         },
+         help)
+      ->type_name(name == "--frames" ? "FOLDER" : "FILE")
+      ->group(group);
+}
+
+void addRunOptions(CLI::App& app, PeerOptions& options, RunLength& length, fs::path& configFile) {
+  const std::string group = "Run";
+  addPath(app, "--config", configFile, "config file of KEY=VALUE lines; options override it",
+          group);
+  app.add_flag_function(
+         "--solo", [&](std::int64_t) { options.company = Company::Solo; },
+         "alone: no network, as fast as possible")
+      ->group(group);
+  app.add_option_function<std::string>(
+         "--duration",
+         [&](const std::string& value) {
+           const Range range = Range::above(0, kLongestRun);
+           parseOption("--duration", value, fmt::format("a number {}, in s", range.text()),
+                       [&] { length.duration = parseNumber(value, range); });
+         },
+         "simulated time after which to stop; else it runs until Ctrl-C")
+      ->type_name("s")
+      ->group(group);
+  app.add_option_function<std::string>(
+         "--steps",
+         [&](const std::string& value) {
+           const auto most = static_cast<std::int64_t>(kLongestRun);
+           parseOption("--steps", value, fmt::format("a whole number 0 to {}", most),
+                       [&] { length.steps = parseInteger(value, 0, most); });
+         },
+         "steps after which to stop, instead of --duration")
+      ->type_name("COUNT")
+      ->group(group);
+  app.add_option_function<std::string>(
+         "--engine",
+         [&](const std::string& value) {
+           requireEngine(value);
+           options.engine = value;
+         },
+         joined(engineNames(), ", "))
+      ->type_name("NAME")
+      ->default_str("ours")
+      ->group(group);
+  app.add_option_function<std::string>(
+         "--threads",
+         [&](const std::string& value) {
+           parseOption("--threads", value, "a whole number 1 to 256",
+                       [&] { options.threads = parseInteger(value, 1, 256); });
+         },
+         "of the simulation; the result has the same bits for any number")
+      ->type_name("COUNT")
+      ->default_str("1")
+      ->group(group);
+  app.add_flag("--quiet", options.quiet, "no progress and no notices")->group(group);
+}
+
+void addNetworkOptions(CLI::App& app, PeerOptions& options) {
+  const std::string group = "Network";
+  app.add_option_function<std::string>(
+         "--lcm-url",
+         [&](const std::string& value) {
+           try {
+             options.lcmUrl = parseLcmUrl(value).text();
+           } catch (const LcmUrlError& error) {
+             throw UsageError(fmt::format("--lcm-url {}: {}", value, error.what()));
+           }
+         },
+         "of the session, instead of the one made from UDPPort, which stays on this host (ttl=0; "
+         "ttl=1 reaches the LAN)")
+      ->type_name("URL")
+      ->group(group);
+  app.add_flag("--require-lcm", options.requireLcm,
+               "exit with status 1 where multicast does not pass, instead of running alone")
+      ->group(group);
+}
+
+void addOutputOptions(CLI::App& app, PeerOptions& options) {
+  const std::string group = "Output";
+  addPath(app, "--frames", options.frames, "writes each frame as PNG into this folder", group);
+  addPath(app, "--video", options.video, "writes the frames as MP4 (needs ffmpeg)", group);
+  addPath(app, "--last-frame", options.lastFrame, "writes the last frame as PNG", group);
+  addPath(app, "--state-out", options.stateOut,
+          "writes all balls at the end as CSV, 17 digits, as BallsFile reads it", group);
+  addPath(app, "--report", options.report, "writes what was measured as JSON", group);
+}
+
+void requireOutputs(const PeerOptions& options) {
+  const std::pair<const char*, const fs::path&> files[] = {{"--video", options.video},
+                                                           {"--last-frame", options.lastFrame},
+                                                           {"--state-out", options.stateOut},
+                                                           {"--report", options.report}};
+  for (const auto& [name, file] : files)
+    if (!file.empty()) requireWritable(name, file);
+  if (!options.frames.empty()) requireFolder("--frames", options.frames);
+}
+
+std::int64_t stepsOf(const RunLength& length, double dt) {
+  if (length.steps && length.duration)
+    throw UsageError("--steps and --duration: both given; allowed: one of them");
+  if (length.steps) return *length.steps;
+  if (length.duration) return std::llround(*length.duration / dt);
+  return kEndless;
+}
+
+void requireConsistent(const PeerOptions& options) {
+  if (options.company != Company::Solo) return;
+  if (options.requireLcm)
+    throw UsageError("--solo and --require-lcm: contradict each other; allowed: one of them");
+  if (!options.lcmUrl.empty())
+    throw UsageError("--solo and --lcm-url: contradict each other; allowed: one of them");
+}
+
+}  // namespace
+
+std::optional<PeerOptions> parsePeerOptions(std::span<const std::string> arguments) {
+  PeerOptions options;
+  RunLength length;
+  fs::path configFile;
+  std::vector<Setting> settings;
+  CLI::App app("Runs one peer of a gravity-wells session, or a world alone (--solo).",
+               "gravity-wells peer");
+  addRunOptions(app, options, length, configFile);
+  addNetworkOptions(app, options);
+  addOutputOptions(app, options);
+  addKeys(app, settings);
+  if (parseArguments(app, arguments) == Parsed::HelpShown) return {};
+
+  if (!configFile.empty())
+    options.notices = applySettings(options.config, readConfigFile(configFile));
+  applySettings(options.config, settings);
+  for (const Setting& setting : settings)
+    if (setting.key == "PeerID") options.idOrigin = IdOrigin::CommandLine;
+  options.steps = stepsOf(length, stepLength(options.config, options.engine));
+  requireConsistent(options);
+  requireOutputs(options);
+  return options;
+}
+
+}  // namespace wells

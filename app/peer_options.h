@@ -1,0 +1,49 @@
+// What `gravity-wells peer` is told on its command line.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "config.h"
+
+namespace wells {
+
+/// Steps of a run that only an interrupt ends.
+inline constexpr std::int64_t kEndless = std::numeric_limits<std::int64_t>::max();
+
+enum class Company { Session, Solo };
+
+/// Whether the peer id may be given up for a free one when somebody has it already.
+enum class IdOrigin { File, CommandLine };
+
+struct PeerOptions {
+  Config config;
+  IdOrigin idOrigin = IdOrigin::File;
+  Company company = Company::Session;
+  std::int64_t steps = kEndless;  // where the run stops
+  std::string engine = "ours";
+  std::int64_t threads = 1;
+  std::string lcmUrl;  // empty: from UDPPort, staying on this host
+  bool requireLcm = false;
+  bool quiet = false;
+  std::filesystem::path frames;      // a folder; empty: none
+  std::filesystem::path video;       // empty: none
+  std::filesystem::path lastFrame;   // empty: none
+  std::filesystem::path stateOut;    // empty: none
+  std::filesystem::path report;      // empty: none
+  std::vector<std::string> notices;  // about the config file
+
+  bool drawsPictures() const { return !(frames.empty() && video.empty() && lastFrame.empty()); }
+  bool hasEnd() const { return steps != kEndless; }
+};
+
+/// Parses the arguments behind "peer". Prints the help and returns nothing when that is asked for.
+/// Throws UsageError. Looks at files and folders that are named, but starts and writes nothing.
+std::optional<PeerOptions> parsePeerOptions(std::span<const std::string> arguments);
+
+}  // namespace wells

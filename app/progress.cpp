@@ -1,0 +1,37 @@
+#include "progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace wells {
+
+std::string progressText(const RunGoal& goal, std::int64_t step, double wallTime) {
+  const double done = static_cast<double>(step);
+  const double rate = wallTime > 0 ? done / wallTime : 0;
+  if (!goal.hasEnd)
+    return fmt::format("t = {:.2f} s, {:.0f} steps/s; Ctrl-C ends", done * goal.dt, rate);
+  const double all = static_cast<double>(goal.steps);
+  const std::string left =
+      rate > 0 ? fmt::format(", {:.0f} s left", (all - done) / rate) : std::string();
+  return fmt::format("t = {:.2f} of {:.2f} s, {:.0f} steps/s{}", done * goal.dt, all * goal.dt,
+                     rate, left);
+}
+
+ProgressLine::ProgressLine(const RunGoal& goal, Shown shown)
+    : goal_(goal), shown_(shown == Shown::Yes && ::isatty(STDERR_FILENO) != 0) {}
+
+ProgressLine::~ProgressLine() {
+  if (shown_) fmt::print(stderr, "\r\033[K");
+}
+
+void ProgressLine::show(const RunProgress& progress, double wallTime) const {
+  if (!shown_) return;
+  const std::string text =
+      progress.joined ? progressText(goal_, progress.step, wallTime) : "listening for other peers";
+  fmt::print(stderr, "\r\033[K{}", text);
+  std::fflush(stderr);
+}
+
+}  // namespace wells

@@ -1,0 +1,46 @@
+// One line on a terminal that says how far a run is. Written by the simulation thread, shown by the
+// main thread.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <string>
+
+namespace wells {
+
+struct RunProgress {
+  std::atomic<std::int64_t> step = 0;
+  std::atomic<bool> joined = true;  // false: waits to be part of the session
+};
+
+/// Where a run stops, and how its steps are counted in time.
+struct RunGoal {
+  std::int64_t steps = 0;
+  double dt = 0;  // s
+  bool hasEnd = false;
+};
+
+class ProgressLine {
+ public:
+  enum class Shown { Yes, No };
+
+  /// Shown::Yes is heeded only where stderr is a terminal.
+  ProgressLine(const RunGoal& goal, Shown shown);
+
+  /// Clears the line.
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  /// `wallTime` in s since the start of the run.
+  void show(const RunProgress& progress, double wallTime) const;
+
+ private:
+  RunGoal goal_;
+  bool shown_;
+};
+
+/// "t = 3.20 of 10.00 s, 61 steps/s, 7 s left"
+std::string progressText(const RunGoal& goal, std::int64_t step, double wallTime);
+
+}  // namespace wells

@@ -1,0 +1,37 @@
+// How this peer's well moves: where it is to be at any step. Depends on simulated time only.
+#pragma once
+
+#include <cstdint>
+
+#include "config.h"
+#include "state/wells.h"
+
+namespace wells {
+
+class WellMotion {
+ public:
+  /// Reads the keyframe file, if the path is one. `dt` is the world's step, s. Throws UsageError.
+  WellMotion(const Config& config, double dt);
+
+  double softening() const { return config_.wellSoftening; }
+
+  /// Where the well is to be at a step, and how strong. Depends on the peer by its default place.
+  WellKeyframe at(PeerId peer, std::int64_t step) const;
+
+  /// Extends `track` with keyframes kInterval apart so that it covers `step`, and forgets those
+  /// that no step from `step` on needs. An empty track is begun at `step`.
+  void extend(WellTrack& track, std::int64_t step) const;
+
+  /// Between two keyframes a well moves in a straight line.
+  static constexpr double kInterval = 0.1;  // s
+
+ private:
+  void readKeyframes(const std::filesystem::path& file);
+  Vec3 place(PeerId peer) const;
+
+  Config config_;
+  double dt_;
+  WellTrack fromFile_;
+};
+
+}  // namespace wells
