@@ -24,11 +24,10 @@ std::span<const Integrator> integrators() {
 }
 
 const Integrator& findIntegrator(std::string_view name) {
-  std::vector<std::string_view> names;
-  for (const Integrator& integrator : kIntegrators) {
+  for (const Integrator& integrator : kIntegrators)
     if (integrator.name == name) return integrator;
-    names.push_back(integrator.name);
-  }
+  std::vector<std::string_view> names;
+  for (const Integrator& integrator : kIntegrators) names.push_back(integrator.name);
   throw std::invalid_argument(
       fmt::format("integrator '{}' is unknown; allowed: {}", name, fmt::join(names, ", ")));
 }

@@ -5,11 +5,18 @@
 namespace wells {
 
 Field fieldOf(const World& world) {
-  return fieldAt(world, world.step);
+  Field field;
+  updateField(world, world.step, field);
+  return field;
 }
 
-Field fieldAt(const World& world, std::int64_t step) {
-  return {world.settings.gravity, activeWells(world, step)};
+void updateField(const World& world, std::int64_t step, Field& field) {
+  field.gravity = world.settings.gravity;
+  field.wells.clear();
+  for (const WellTrack& track : world.tracks) {
+    const Well well = wellAt(track, step, world.settings.dt);
+    if (well.strength != 0) field.wells.push_back(well);
+  }
 }
 
 double dragFactor(double drag, double h) {

@@ -18,8 +18,8 @@ struct Field {
 /// The field of the step that starts now.
 Field fieldOf(const World& world);
 
-/// The field of the step that starts at `step`.
-Field fieldAt(const World& world, std::int64_t step);
+/// Makes `field` that of the step that starts at `step`, in the memory that it has.
+void updateField(const World& world, std::int64_t step, Field& field);
 
 /// Acceleration (m/s^2) at `position` (m), `t` seconds after the start of the step.
 inline Vec3 acceleration(const Field& field, const Vec3& position, double t) {

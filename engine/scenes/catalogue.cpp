@@ -35,11 +35,10 @@ std::span<const Scene> scenes() {
 }
 
 const Scene& findScene(std::string_view name) {
-  std::vector<std::string_view> names;
-  for (const Scene& scene : kScenes) {
+  for (const Scene& scene : kScenes)
     if (scene.name == name) return scene;
-    names.push_back(scene.name);
-  }
+  std::vector<std::string_view> names;
+  for (const Scene& scene : kScenes) names.push_back(scene.name);
   throw std::invalid_argument(
       fmt::format("scene '{}' is unknown; allowed: {}", name, fmt::join(names, ", ")));
 }

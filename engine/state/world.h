@@ -27,10 +27,4 @@ struct World {
   bool owns(std::size_t ball) const { return roles.empty() || roles[ball] == Role::Owned; }
 };
 
-/// The wells that act during the step that starts at `step`, those that are off left out.
-std::vector<Well> activeWells(const World& world, std::int64_t step);
-
-/// Those of the step that starts now.
-inline std::vector<Well> activeWells(const World& world) { return activeWells(world, world.step); }
-
 }  // namespace wells

@@ -27,8 +27,11 @@ BallState predict(const World& world, std::size_t ball, const BallState& state, 
   alone.add(state, world.balls.radius[ball], world.balls.mass[ball]);
   const Integrator& integrator = findIntegrator(world.settings.integrator);
   StepPlan plan;
-  for (std::int64_t step = from; step < to; ++step)
-    advanceAlone(world, fieldAt(world, step), integrator, plan, alone);
+  Field field;
+  for (std::int64_t step = from; step < to; ++step) {
+    updateField(world, step, field);
+    advanceAlone(world, field, integrator, plan, alone);
+  }
   return alone.state(0);
 }
 

@@ -38,23 +38,23 @@ class Simulation : public Stepper {
   StepCounts counts() const override { return counts_; }
 
   void step(World& world) override {
-    const Field field = fieldOf(world);
+    updateField(world, world.step, field_);
     const Integrator& integrator = findIntegrator(world.settings.integrator);
-    findReaches(world, field);
+    findReaches(world);
     broadphase_.update(world, reach_);
     planContacts(world);
     planFlights(world);
-    advance(world.settings, world.arena, field, integrator, plan_, world.balls);
+    advance(world.settings, world.arena, field_, integrator, plan_, world.balls);
     ++world.step;
     integrator_ = integrator.name;
   }
 
  private:
-  void findReaches(const World& world, const Field& field) {
+  void findReaches(const World& world) {
     const Balls& balls = world.balls;
     reach_.resize(balls.size());
     for (std::size_t i = 0; i < balls.size(); ++i)
-      reach_[i] = reachOf(field, balls.state(i), balls.radius[i], world.settings.dt);
+      reach_[i] = reachOf(field_, balls.state(i), balls.radius[i], world.settings.dt);
   }
 
   void planContacts(const World& world) {
@@ -131,6 +131,7 @@ class Simulation : public Stepper {
 
   static constexpr double kLateOverlap = 1e-6;  // of the sum of radii
 
+  Field field_;
   Broadphase broadphase_;
   StepPlan plan_;
   StepCounts counts_;

@@ -1,0 +1,37 @@
+// A warm step takes no memory from the heap. An executable of its own: it replaces operator new.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "scenes/catalogue.h"
+#include "world/simulation.h"
+
+namespace {
+std::atomic<long> allocations = 0;
+}
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace wells {
+namespace {
+
+TEST(Allocation, WarmStepTakesNothingFromTheHeap) {
+  World world = makeScene(findScene("T1"), 500);
+  const auto simulation = makeSimulation();
+  // The heap of balls still grows while it collapses, and vectors with it: warm is when it lies.
+  for (int step = 0; step < 400; ++step) simulation->step(world);
+  const long before = allocations;
+  for (int step = 0; step < 100; ++step) simulation->step(world);
+  EXPECT_EQ(allocations - before, 0);
+}
+
+}  // namespace
+}  // namespace wells
