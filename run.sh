@@ -40,6 +40,7 @@ lcm_tool() {
 # The demonstration disturbs no network: it gets one of its own where the machine allows that.
 demo() {
   build_program
+  if [[ " $*" != *" --config"* ]]; then set -- --config "$root/config/template.txt" "$@"; fi
   if unshare -rn true 2>/dev/null; then
     exec unshare -rn "$root/app/with_loopback_multicast.sh" "$program" demo "$@"
   fi
