@@ -5,8 +5,9 @@
 // Everything is relative to the arena's centre, which keeps single precision where the balls are.
 //   balls    btSphereShape, mass and moment of inertia of a solid sphere; ghosts like any other
 //   ground   btStaticPlaneShape
-//   wall     kWallBoxes boxes whose inner faces are tangent to the cylinder of radius R (a regular
-//            polygon: a ball reaches out to R / cos(pi / kWallBoxes) - r between two of them)
+//   wall     64 boxes whose inner faces are tangent to the cylinder of radius R, a regular polygon:
+//            between two of them a centre reaches out to (R - r) / cos(pi / 64). As high as R plus
+//            the highest ball at the start; what flies higher can leave.
 //   gravity  Bullet's; wells as a central force, taken at the start of the step
 //   e, mu    Bullet multiplies the coefficients of the two bodies: every body has sqrt(e), sqrt(mu)
 //   drag     Bullet's linear damping 1 - d, which it applies as d^dt; spin is not damped

@@ -18,7 +18,6 @@ static_assert(sizeof(btScalar) == 4, "the baseline is Bullet in single precision
 
 inline constexpr int kWallBoxes = 64;
 inline constexpr double kWallThickness = 2;  // m; 1 m is what a ball at 60 m/s covers in 1/60 s
-inline constexpr double kWallHeight = 1000;  // m, above and below the ground: nothing flies so high
 
 class BulletScene {
  public:
@@ -42,7 +41,7 @@ class BulletScene {
  private:
   void addBalls(const Balls& balls, BulletSleeping sleeping);
   void addGround();
-  void addWall(double radius);
+  void addWall(double radius, double height);
   void addStatic(btCollisionShape& shape, const btTransform& place);
 
   Arena arena_;

@@ -16,12 +16,11 @@ const std::vector<TouchingPairs::Pair>& TouchingPairs::find(const Balls& balls) 
   }
   std::sort(byX_.begin(), byX_.end());
 
-  // touch() rounds: it may accept a pair whose |dx| exceeds r1 + r2 by a few units in the last
-  // place, but by no more, since the rounded sum of squares is never below the rounded dx^2.
-  constexpr double kSlack = 1 + 1e-12;
+  // No margin for rounding is needed: rounded sums and squares keep their order, and the squares of
+  // two different doubles stay different, so touch() accepts no pair with |dx| > r1 + r2.
   for (std::size_t a = 0; a < byX_.size(); ++a) {
     const auto [x, i] = byX_[a];
-    const double reach = (balls.radius[i] + largest) * kSlack;
+    const double reach = balls.radius[i] + largest;
     for (std::size_t b = a + 1; b < byX_.size() && byX_[b].first - x <= reach; ++b) {
       const std::uint32_t j = byX_[b].second;
       if (!touch(balls, i, j)) continue;
