@@ -126,7 +126,10 @@ void addNetworkOptions(CLI::App& app, PeerOptions& options) {
            try {
              options.lcmUrl = parseLcmUrl(value).text();
            } catch (const LcmUrlError& error) {
-             throw UsageError(fmt::format("--lcm-url {}: {}", value, error.what()));
+             throw UsageError(
+                 fmt::format("--lcm-url {}: {}; allowed: "
+                             "udpm://GROUP:PORT?ttl=HOPS&recv_buf_size=BYTES",
+                             value, error.what()));
            }
          },
          "of the session, instead of the one made from UDPPort, which stays on this host (ttl=0; "

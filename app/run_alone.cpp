@@ -18,13 +18,11 @@ RunReport runAlone(PeerSetup& setup, Pictures* pictures, RunProgress& progress) 
   const PeerOptions& options = setup.options;
   World& world = setup.world;
   const auto self = static_cast<std::int32_t>(options.config.peerId);
-  world.tracks.push_back(
-      {.keyframes = {}, .softening = setup.motion.softening(), .peer = PeerId{self}});
+  world.tracks.push_back(setup.motion.trackAt(PeerId{self}, world.step));
   const auto owners = [&] { return std::vector<std::int32_t>(world.balls.size(), self); };
 
   StepTimer timer(options.config.simulationRate > 0 ? stepRate(options.config, options.engine) : 0);
   RunRecorder recorder(options, pictures, progress);
-  setup.motion.extend(world.tracks.back(), world.step);
   recorder.begin(world);
   while (world.step < options.steps && !interrupted()) {
     timer.waitForNextTick();

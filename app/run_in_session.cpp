@@ -159,7 +159,8 @@ class SessionRun {
     report.messagesDropped = counts.drops.total() + sent.droppedSending + sent.droppedReceiving;
     for (std::size_t i = 0; i < kDropReasons; ++i) {
       const auto reason = static_cast<Drop>(i);
-      if (reason != Drop::Echo && counts.drops[reason] > 0)
+      if (reason == Drop::Echo || reason == Drop::NotJoined) continue;  // no faults
+      if (counts.drops[reason] > 0)
         report.dropsByReason.emplace_back(name(reason), counts.drops[reason]);
     }
     if (sent.droppedSending > 0) report.dropsByReason.emplace_back("not sent", sent.droppedSending);

@@ -8,16 +8,18 @@
 namespace wells {
 namespace {
 
-std::string rateText(std::string_view loop, const LoopRate& rate) {
-  if (rate.target > 0) return fmt::format("{} {:.0f} of {:.0f} Hz", loop, rate.actual, rate.target);
-  return fmt::format("{} {:.0f} Hz", loop, rate.actual);
+void addRate(std::vector<std::string>& title, std::string_view loop, const LoopRate& rate) {
+  if (rate.target > 0)
+    title.push_back(fmt::format("{} {:.0f} of {:.0f} Hz", loop, rate.actual, rate.target));
+  else if (rate.actual > 0)
+    title.push_back(fmt::format("{} {:.0f} Hz", loop, rate.actual));
 }
 
 std::vector<std::string> titleOf(const World& world, const ViewNotes& notes) {
   std::vector<std::string> title = {fmt::format("t = {:.2f} s", world.time())};
-  title.push_back(rateText("simulation", notes.simulation));
-  if (notes.network.target > 0) title.push_back(rateText("network", notes.network));
-  title.push_back(rateText("graphics", notes.graphics));
+  addRate(title, "simulation", notes.simulation);
+  addRate(title, "network", notes.network);
+  addRate(title, "graphics", notes.graphics);
   return title;
 }
 
@@ -25,9 +27,10 @@ std::vector<LegendRow> legendOf(const std::vector<std::int32_t>& owners) {
   std::map<std::int32_t, std::size_t> counts;
   for (const std::int32_t owner : owners) ++counts[owner];
   std::vector<LegendRow> rows;
-  for (const auto& [peer, count] : counts)
-    rows.push_back({peer, peer > 0 ? fmt::format("peer {}: {} balls", peer, count)
-                                   : fmt::format("nobody: {} balls", count)});
+  for (const auto& [peer, count] : counts) {
+    const std::string who = peer > 0 ? fmt::format("peer {}", peer) : "nobody";
+    rows.push_back({peer, fmt::format("{}: {} {}", who, count, count == 1 ? "ball" : "balls")});
+  }
   return rows;
 }
 
@@ -50,6 +53,7 @@ View makeView(const World& world, std::vector<std::int32_t> owners, const ViewNo
             .legend = {}};
   for (const WellTrack& track : world.tracks) {
     const Well well = wellAt(track, world.step, world.settings.dt);
+    if (well.strength == 0) continue;  // off
     view.wells.push_back({.position = well.position,
                           .strength = well.strength,
                           .softening = well.softening,

@@ -70,10 +70,15 @@ WellKeyframe WellMotion::at(PeerId peer, std::int64_t step) const {
           .strength = strength};
 }
 
+WellTrack WellMotion::trackAt(PeerId peer, std::int64_t step) const {
+  WellTrack track{.keyframes = {at(peer, step)}, .softening = softening(), .peer = peer};
+  extend(track, step);
+  return track;
+}
+
 void WellMotion::extend(WellTrack& track, std::int64_t step) const {
   const std::int64_t interval = std::max<std::int64_t>(1, std::llround(kInterval / dt_));
   auto& keys = track.keyframes;
-  if (keys.empty()) keys.push_back(at(track.peer, step));
   if (config_.wellPath.kind == WellPath::Kind::Still) return;
   while (keys.back().step <= step) keys.push_back(at(track.peer, keys.back().step + interval));
   const auto current = std::find_if(keys.rbegin(), keys.rend(),

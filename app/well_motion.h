@@ -18,8 +18,11 @@ class WellMotion {
   /// Where the well is to be at a step, and how strong. Depends on the peer by its default place.
   WellKeyframe at(PeerId peer, std::int64_t step) const;
 
-  /// Extends `track` with keyframes kInterval apart so that it covers `step`, and forgets those
-  /// that no step from `step` on needs. An empty track is begun at `step`.
+  /// The well's track for the step that starts at `step`.
+  WellTrack trackAt(PeerId peer, std::int64_t step) const;
+
+  /// Extends a track of trackAt so that it covers a later step, with keyframes kInterval apart, and
+  /// forgets those that no step from there on needs.
   void extend(WellTrack& track, std::int64_t step) const;
 
   /// Between two keyframes a well moves in a straight line.

@@ -121,7 +121,7 @@ TEST(WellMotion, ATrackStaysShortAndNearThePath) {
   config.wellPath = {.kind = WellPath::Kind::Circle, .radius = 20, .period = -20};
   const double dt = 1.0 / 60;
   const WellMotion motion(config, dt);
-  WellTrack track{.keyframes = {}, .softening = motion.softening(), .peer = PeerId{1}};
+  WellTrack track = motion.trackAt(PeerId{1}, 0);
   // A chord of 0.1 s leaves its arc by at most R (1 - cos(pi 0.1 / T)).
   const double bound = 20 * (1 - std::cos(M_PI * 0.1 / 20)) + 1e-12;
   for (std::int64_t step = 0; step < 2000; ++step) {
@@ -134,7 +134,7 @@ TEST(WellMotion, ATrackStaysShortAndNearThePath) {
 
 TEST(WellMotion, AStillWellHasOneKeyframe) {
   const WellMotion motion(Config{}, 1.0 / 60);
-  WellTrack track{.keyframes = {}, .peer = PeerId{2}};
+  WellTrack track = motion.trackAt(PeerId{2}, 0);
   for (std::int64_t step = 0; step < 100; ++step) motion.extend(track, step);
   ASSERT_EQ(track.keyframes.size(), 1u);
   EXPECT_NEAR((track.keyframes[0].position - Vec3(-20, 0.5, 0)).norm(), 0, 1e-9);
