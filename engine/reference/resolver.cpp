@@ -1,5 +1,7 @@
 #include "reference/resolver.h"
 
+#include <limits>
+
 namespace wells {
 namespace {
 
@@ -15,6 +17,13 @@ double separatingSpeed(const ManifoldContact& contact, const Balls& balls) {
   Vec3 relative = balls.velocity[contact.first];
   if (contact.second != kNoBall) relative -= balls.velocity[contact.second];
   return dot(relative, contact.normal);
+}
+
+/// What decides whose turn it is: v_s, and after all that close those that overlap at v_s = 0.
+double urgency(const ManifoldContact& contact, const Balls& balls) {
+  const double speed = separatingSpeed(contact, balls);
+  if (speed == 0 && contact.penetration > 0) return -std::numeric_limits<double>::min();
+  return speed;
 }
 
 /// a_s = (a1 - a2) . n h. Two balls have the same a; ground and wall have none.
@@ -42,32 +51,37 @@ void resolveVelocity(const ManifoldContact& contact, Balls& balls, const Resolve
 std::int64_t Resolver::resolve(Manifold& manifold, Balls& balls, const ResolverInput& input) {
   if (manifold.empty()) return 0;
   index(manifold, balls.size());
-  speeds_.clear();
+  urgencies_.clear();
   for (const ManifoldContact& contact : manifold) {
-    speeds_.push_back(separatingSpeed(contact, balls));
+    urgencies_.push_back(urgency(contact, balls));
   }
-  closing_.assign(speeds_);
+  order_.assign(urgencies_);
 
   for (std::int64_t taken = 0; taken < input.maxIterations; ++taken) {
-    const std::uint32_t worst = closing_.first();
+    const std::uint32_t worst = order_.first();
     if (worst == MostNegative::kNone) return taken;
     const ManifoldContact contact = manifold[worst];
     resolveVelocity(contact, balls, input);
+    if (contact.penetration > 0) {
+      resolvePenetration(manifold, contact, balls);
+      manifold[worst].penetration = 0;  // and not what rounding leaves of it
+    }
     refresh(manifold, balls, contact.first);
     if (contact.second != kNoBall) refresh(manifold, balls, contact.second);
-
-    if (!(contact.penetration > 0)) continue;
-    const double w1 = inverseMass(balls, contact.first);
-    const double w2 = inverseMass(balls, contact.second);
-    const Vec3 push = contact.normal * (contact.penetration / (w1 + w2));
-    balls.position[contact.first] += push * w1;
-    moved(manifold, contact.first, push * w1);
-    if (contact.second != kNoBall) {
-      balls.position[contact.second] -= push * w2;
-      moved(manifold, contact.second, push * -w2);
-    }
   }
   return input.maxIterations;
+}
+
+void Resolver::resolvePenetration(Manifold& manifold, const ManifoldContact& contact,
+                                  Balls& balls) const {
+  const double w1 = inverseMass(balls, contact.first);
+  const double w2 = inverseMass(balls, contact.second);
+  const Vec3 push = contact.normal * (contact.penetration / (w1 + w2));
+  balls.position[contact.first] += push * w1;
+  moved(manifold, contact.first, push * w1);
+  if (contact.second == kNoBall) return;
+  balls.position[contact.second] -= push * w2;
+  moved(manifold, contact.second, push * -w2);
 }
 
 void Resolver::index(const Manifold& manifold, std::size_t ballCount) {
@@ -95,7 +109,7 @@ void Resolver::moved(Manifold& manifold, std::uint32_t ball, const Vec3& by) con
 void Resolver::refresh(const Manifold& manifold, const Balls& balls, std::uint32_t ball) {
   for (std::uint32_t k = start_[ball]; k < start_[ball + 1]; ++k) {
     const std::uint32_t c = contactsOf_[k];
-    closing_.set(c, separatingSpeed(manifold[c], balls));
+    order_.set(c, urgency(manifold[c], balls));
   }
 }
 

@@ -27,6 +27,7 @@ class Resolver {
   std::int64_t resolve(Manifold& manifold, Balls& balls, const ResolverInput& input);
 
  private:
+  void resolvePenetration(Manifold& manifold, const ManifoldContact& contact, Balls& balls) const;
   void index(const Manifold& manifold, std::size_t ballCount);
   void moved(Manifold& manifold, std::uint32_t ball, const Vec3& by) const;
   void refresh(const Manifold& manifold, const Balls& balls, std::uint32_t ball);
@@ -34,8 +35,8 @@ class Resolver {
   // The contacts of ball b are contactsOf_[start_[b]] .. contactsOf_[start_[b + 1]].
   std::vector<std::uint32_t> start_;
   std::vector<std::uint32_t> contactsOf_;
-  std::vector<double> speeds_;
-  MostNegative closing_;
+  std::vector<double> urgencies_;
+  MostNegative order_;
 };
 
 }  // namespace wells

@@ -23,7 +23,8 @@ struct Traits {
   double errorFactor = 1;  // local error, in units of h^2/2 max(|a|, |jerk|)
   double timeFactor = 1;   // physical time that passes per dt
   double rounding = 1e-9;  // m, m/s
-  double pushOut = 0;      // share of an overlap that becomes separating speed within a step
+  bool losesEnergy = true;
+  double pushOut = 0;  // share of an overlap that becomes separating speed within a step
 
   /// How much too fast (m/s) two bodies that closed at `closing` may separate. Only Bullet pushes
   /// overlaps out through velocities (Baumgarte): 0.2 of the overlap a step, as long as the overlap
@@ -43,8 +44,9 @@ std::vector<Traits> enginesHere() {
       {"reference-euler"},
       // (v + v_last)/2 lags by half a step: once more what Euler neglects.
       {"reference-improved-euler", 1, 2},
-      // As published it moves the ball by three steps a step (see engine/reference).
-      {"reference-rk", 1, 1, 3},
+      // As published it moves the ball by three steps a step, and gains energy in free fall (see
+      // engine/reference).
+      {.name = "reference-rk", .timeFactor = 3, .losesEnergy = false},
       {"reference-heun", 2},
       {"reference-rk4", 2},
       {.name = "bullet", .rounding = 2e-4, .pushOut = 0.2},  // single precision
@@ -228,7 +230,7 @@ TEST_P(EachEngine, TwoBallsMeetObliquely) {
             engine().rounding);
 }
 
-TEST_P(EachEngine, KeepsTheTemplateWorldTogetherAndLosesEnergy) {
+TEST_P(EachEngine, KeepsTheTemplateWorldTogether) {
   for (const std::size_t balls : {25u, 200u}) {
     World world = makeScene(findScene("template"), balls);
     const double start = measure(world).energy();
@@ -236,7 +238,8 @@ TEST_P(EachEngine, KeepsTheTemplateWorldTogetherAndLosesEnergy) {
     for (int i = 0; i < 600; ++i) stepper->step(world);
     const Measures end = measure(world);
     EXPECT_EQ(end.escaped, 0) << balls << " balls";
-    EXPECT_LT(end.energy(), start) << balls << " balls";
+    EXPECT_TRUE(!engine().losesEnergy || end.energy() < start)
+        << balls << " balls: " << start << " J, then " << end.energy() << " J";
   }
 }
 

@@ -76,8 +76,8 @@ TEST(ReferenceResolver, StopsAtTheLimitAndLeavesTheRest) {
   EXPECT_EQ(balls.velocity[2].y(), -2);
 }
 
-TEST(ReferenceResolver, WhatIsNotClosingIsLeftAloneOverlapIncluded) {
-  Balls balls = twoBalls(1, 0, 1, 0);
+TEST(ReferenceResolver, WhatSeparatesIsLeftAloneOverlapIncluded) {
+  Balls balls = twoBalls(1, -1, 1, 1);
   const Balls before = balls;
   Manifold manifold = foundTwice(0.4);
   EXPECT_EQ(Resolver{}.resolve(manifold, balls, {.maxIterations = 4}), 0);
@@ -108,6 +108,11 @@ std::int64_t scanAndResolve(Manifold& manifold, Balls& balls, const ResolverInpu
         at = i;
       }
     }
+    for (std::size_t i = 0; i < manifold.size() && worst == 0; ++i) {
+      if (speed(manifold[i]) != 0 || !(manifold[i].penetration > 0)) continue;
+      at = i;
+      break;
+    }
     if (at == manifold.size()) return n;
     const ManifoldContact c = manifold[at];
     const double w1 = 1 / balls.mass[c.first];
@@ -125,6 +130,7 @@ std::int64_t scanAndResolve(Manifold& manifold, Balls& balls, const ResolverInpu
       const Vec3 push = c.normal * (c.penetration / (w1 + w2));
       pushed(c.first, push * w1);
       if (c.second != kNoBall) pushed(c.second, push * -w2);
+      manifold[at].penetration = 0;
     }
   }
   return input.maxIterations;
