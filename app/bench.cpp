@@ -175,7 +175,7 @@ int runBench(std::span<const std::string> arguments, char** argv) {
 
   const Scene& scene = findScene(options.scene);
   const std::int64_t steps = options.steps > 0 ? options.steps : scene.defaultSteps;
-  const auto stepper = makeEngine(options.engine);
+  const auto stepper = makeEngine(options.engine, scene.sleeping ? Sleeping::On : Sleeping::Off);
   BenchResult result = runWithProgress(*stepper, sceneWorld(options), steps);
   result.scene = options.scene;
   result.threads = options.threads;

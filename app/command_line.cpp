@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <iostream>
+#include <memory>
+#include <sstream>
 #include <vector>
 
 #include "errors.h"
@@ -19,6 +21,34 @@ std::vector<std::string> optionNames(const CLI::App& app) {
   return names;
 }
 
+// Breaks `text` at blanks into lines of at most `width` characters, each indented.
+std::string wrapped(const std::string& text, std::size_t indent, std::size_t width) {
+  std::istringstream words(text);
+  std::string lines;
+  std::string line;
+  for (std::string word; words >> word;) {
+    if (!line.empty() && line.size() + 1 + word.size() > width - indent) {
+      lines += std::string(indent, ' ') + line + '\n';
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+  }
+  return line.empty() ? lines : lines + std::string(indent, ' ') + line + '\n';
+}
+
+// An option's name on a line of its own, what it means below it: help texts here are long.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  std::string make_option(const CLI::Option* option, bool) const override {
+    const std::string value = option->get_type_name();
+    const std::string standard = option->get_default_str();
+    const std::string text = option->get_description() +
+                             (standard.empty() ? "" : fmt::format(". Default: {}", standard));
+    return fmt::format("  {}{}{}\n{}", option->get_name(false, true), value.empty() ? "" : " ",
+                       value, wrapped(text, 6, 100));
+  }
+};
+
 [[noreturn]] void refuseUnknown(const CLI::App& app, const std::string& argument) {
   const std::string name = argument.substr(0, argument.find('='));
   const std::string nearest = nearestWord(name, optionNames(app));
@@ -31,6 +61,7 @@ std::vector<std::string> optionNames(const CLI::App& app) {
 
 Parsed parseArguments(CLI::App& app, std::span<const std::string> arguments) {
   app.allow_extras();
+  app.formatter(std::make_shared<HelpFormatter>());
   std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // as CLI11 wants it
   try {
     app.parse(reversed);

@@ -26,7 +26,10 @@ void becomeExecutableOf(std::string_view engine, char** argv);
 /// True for the engines of this executable.
 bool hasEngine(std::string_view name);
 
+/// Whether an engine that can let balls at rest sleep does so. Only stock Bullet can.
+enum class Sleeping { Off, On };
+
 /// An engine of this executable; hasEngine(name).
-std::unique_ptr<Stepper> makeEngine(std::string_view name);
+std::unique_ptr<Stepper> makeEngine(std::string_view name, Sleeping sleeping = Sleeping::Off);
 
 }  // namespace wells

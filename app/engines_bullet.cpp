@@ -8,8 +8,8 @@ bool hasEngine(std::string_view name) {
   return name == "bullet";
 }
 
-std::unique_ptr<Stepper> makeEngine(std::string_view) {
-  return makeBullet();
+std::unique_ptr<Stepper> makeEngine(std::string_view, Sleeping sleeping) {
+  return makeBullet({sleeping == Sleeping::On ? BulletSleeping::On : BulletSleeping::Off});
 }
 
 Predictor makePredictor(std::string_view engine) {

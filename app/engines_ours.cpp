@@ -10,7 +10,7 @@ bool hasEngine(std::string_view name) {
   return name == "ours" || referenceVariant(name);
 }
 
-std::unique_ptr<Stepper> makeEngine(std::string_view name) {
+std::unique_ptr<Stepper> makeEngine(std::string_view name, Sleeping) {
   if (const auto variant = referenceVariant(name)) return makeReference(*variant);
   return makeSimulation();
 }

@@ -37,10 +37,11 @@ std::vector<Key> makeKeys() {
        arenaCenterKey(),
        integerKey("NumOfBalls", WELLS_FIELD(ballCount), 0, 1'000'000,
                   "balls, spread at rest just above the ground, without overlap, by Seed"),
-       numberKey("BallRadius", "m", WELLS_FIELD(ballRadius), kLength, "of every ball"),
-       numberKey("BallMass", "kg", WELLS_FIELD(ballMass), Range::above(0, 1e12), "of every ball"),
+       numberKey("BallRadius", "m", WELLS_FIELD(ballRadius), kLength, "radius of every ball"),
+       numberKey("BallMass", "kg", WELLS_FIELD(ballMass), Range::above(0, 1e12),
+                 "mass of every ball"),
        integerKey("Seed", WELLS_FIELD(seed), 0, std::numeric_limits<std::int64_t>::max(),
-                  "of the balls' places"),
+                  "chooses the places of the balls"),
        ballsFileKey(),
        numberKey("Elasticity", "", WELLS_FIELD(settings.elasticity), Range::between(0, 1),
                  "coefficient of restitution"),
@@ -55,29 +56,30 @@ std::vector<Key> makeKeys() {
            "TimeScale", "", WELLS_FIELD(timeScale), Range::above(0, 1000),
            "simulated seconds in a wall second: changes how many steps a second are made, not "
            "Dt; the reference engines make longer steps instead, Dt x TimeScale")});
-  addGroup(table, "Method (the same for all peers of a session)", Scope::World,
-           {numberKey("Dt", "s", WELLS_FIELD(settings.dt), Range::between(1e-6, 1), "of a step"),
-            integratorKey(),
-            integerKey("Substeps", WELLS_FIELD(settings.substeps), 1, 1000,
-                       "of a step, where balls may touch something"),
-            integerKey("Iterations", WELLS_FIELD(settings.iterations), 1, 10'000,
-                       "of the contact solver, in a substep")});
+  addGroup(
+      table, "Method (the same for all peers of a session)", Scope::World,
+      {numberKey("Dt", "s", WELLS_FIELD(settings.dt), Range::between(1e-6, 1), "length of a step"),
+       integratorKey(),
+       integerKey("Substeps", WELLS_FIELD(settings.substeps), 1, 1000,
+                  "substeps of a step, where balls may touch something"),
+       integerKey("Iterations", WELLS_FIELD(settings.iterations), 1, 10'000,
+                  "passes of the contact solver in a substep")});
   addGroup(
       table, "This peer and its well", Scope::Peer,
       {integerKey(
            "PeerID", WELLS_FIELD(peerId), 1, kMaxPeerId,
            "unique in a session; from a file, a taken one is replaced by the lowest free one"),
-       integerKey("UDPPort", WELLS_FIELD(udpPort), 1024, 65535, "of the multicast group"),
+       integerKey("UDPPort", WELLS_FIELD(udpPort), 1024, 65535, "port of the multicast group"),
        numberKey("Lease", "s", WELLS_FIELD(lease), Range::between(0.2, 60),
                  "silence after which a peer counts as gone and its balls are adopted"),
        optionalVectorKey("WellPosition", WELLS_FIELD(wellPosition), "x,y,z of this peer's well",
                          "at ball height on the circle of radius SurfaceRadius/2, at the angle of "
                          "PeerID (1, 2, 3, 4: 0, 180, 90, 270 degrees from +x towards +z)"),
        optionalNumberKey("WellStrength", "m^3/s^2", WELLS_FIELD(wellStrength), kStrength,
-                         "of this peer's well; > 0 attracts, < 0 repels, 0 is off",
+                         "strength of this peer's well; > 0 attracts, < 0 repels, 0 is off",
                          "pulls 9.81/8 m/s^2 at the distance SurfaceRadius/2"),
        numberKey("WellSoftening", "m", WELLS_FIELD(wellSoftening), kSoftening,
-                 "of this peer's well"),
+                 "softening of this peer's well"),
        wellPathKey()});
   addGroup(table, "Target rates of the three loops", Scope::Peer,
            {numberKey("SimulationRate", "Hz", WELLS_FIELD(simulationRate), Range::between(0, 1e6),
@@ -86,20 +88,20 @@ std::vector<Key> makeKeys() {
             numberKey("GraphicsRate", "Hz", WELLS_FIELD(graphicsRate), Range::between(1, 1000),
                       "frames in a simulated second"),
             numberKey("NetworkRate", "Hz", WELLS_FIELD(networkRate), Range::between(10, 1000),
-                      "how often messages are collected and sent")});
+                      "how often messages are sent")});
   addGroup(
       table, "Picture", Scope::Peer,
       {booleanKey(
            "FullScreen", WELLS_FIELD(fullScreen),
            "accepted; frames have ScreenWidth x ScreenHeight either way, as there is no screen"),
-       integerKey("ScreenWidth", WELLS_FIELD(screenWidth), 64, 4096, "of a frame, pixels"),
-       integerKey("ScreenHeight", WELLS_FIELD(screenHeight), 64, 4096, "of a frame, pixels"),
+       integerKey("ScreenWidth", WELLS_FIELD(screenWidth), 64, 4096, "width of a frame, pixels"),
+       integerKey("ScreenHeight", WELLS_FIELD(screenHeight), 64, 4096, "height of a frame, pixels"),
        optionalVectorKey("CameraEye", WELLS_FIELD(cameraEye), "x,y,z of the camera",
                          "where the whole arena is seen"),
        optionalVectorKey("CameraTarget", WELLS_FIELD(cameraTarget),
                          "x,y,z of the point in the middle of the picture", "the arena's centre"),
        optionalNumberKey("CameraFieldOfView", "degrees", WELLS_FIELD(cameraFieldOfView),
-                         Range::between(5, 120), "vertical",
+                         Range::between(5, 120), "vertical angle of view",
                          "that of the view of the whole arena")});
   addGroup(
       table, "Old transport (accepted, not used)", Scope::Transport,

@@ -42,12 +42,12 @@ void addKeys(CLI::App& app, std::vector<Setting>& settings) {
     const auto collect = [&settings, name = key.name](const std::vector<std::string>& values) {
       for (const std::string& value : values) settings.push_back({.key = name, .value = value});
     };
-    app.add_option_function<std::vector<std::string>>(optionNamesOf(key), collect,
-                                                      fmt::format("{}. {}", key.help, key.allowed))
+    app.add_option_function<std::vector<std::string>>(
+           optionNamesOf(key), collect, fmt::format("{}. Allowed: {}", key.help, key.allowed))
         ->type_size(1)
         ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-        ->type_name(key.unit.empty() ? "VALUE" : key.unit)
+        ->type_name("VALUE")
         ->default_str(key.defaultText())
         ->group(key.group);
   }

@@ -118,7 +118,7 @@ Key wellPathKey() {
   return {.name = "WellPath",
           .unit = "m, s",
           .allowed =
-              "still, or circle,R,period with R 0 to 1e+06 (m) and a period of 0.1 to 1e+09 s "
+              "still, or circle,R,period with R 0 to 1e6 (m) and a period of 0.1 to 1e9 s "
               "(negative: the other way round), or the name of a CSV file with the header "
               "t,x,y,z,strength",
           .help =

@@ -47,11 +47,20 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+// 1e6 rather than 1000000 or 1e+06.
+std::string shortNumber(double number) {
+  std::string text = fmt::format("{:g}", number);
+  const auto exponent = text.find('e');
+  if (exponent == std::string::npos) return text;
+  const int power = std::stoi(text.substr(exponent + 1));
+  return fmt::format("{}e{}", text.substr(0, exponent), power);
+}
+
 }  // namespace
 
 std::string Range::text() const {
-  return fmt::format("{}{} to {}", lowEnd == End::Open ? "above " : "", formatNumber(low),
-                     formatNumber(high));
+  return fmt::format("{}{} to {}", lowEnd == End::Open ? "above " : "", shortNumber(low),
+                     shortNumber(high));
 }
 
 std::string_view trimmed(std::string_view text) {

@@ -30,7 +30,7 @@ struct Range {
   static Range above(double low, double high) { return {low, End::Open, high}; }
 
   bool contains(double x) const { return (lowEnd == End::Open ? x > low : x >= low) && x <= high; }
-  /// "0 to 1", "above 0 to 1e+06".
+  /// "0 to 1", "above 0 to 1e6".
   std::string text() const;
 };
 

@@ -202,6 +202,8 @@ TEST(Keys, AreUniqueAndComplete) {
     EXPECT_TRUE(names.insert(key.name).second) << key.name;
     EXPECT_FALSE(key.allowed.empty()) << key.name;
     EXPECT_FALSE(key.help.empty()) << key.name;
+    const bool hasParts = key.name == "Well" || key.name == "WellPath";  // each with its unit
+    EXPECT_TRUE(hasParts || key.allowed.ends_with(key.unit)) << key.name << " hides its unit";
     EXPECT_FALSE(key.defaultText().empty()) << key.name;
   }
 }

@@ -1,0 +1,142 @@
+"""The program as a user meets it, on a machine where multicast does not pass:
+    tests/in_namespace.sh isolated python3 tests/app/program_test.py PROGRAM
+"""
+
+import json
+import pathlib
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+from peers import CONFIG, PROGRAM, run
+
+
+class Program(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def solo(self, *arguments):
+        return run("peer", "--solo", "--quiet", *arguments)
+
+    def test_solo_writes_state_and_report(self):
+        state, report = self.folder / "state.csv", self.folder / "report.json"
+        done = self.solo("--config", CONFIG / "template.txt", "--steps", 60, "--state-out", state,
+                         "--report", report)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(len(state.read_text().splitlines()), 26)
+        values = json.loads(report.read_text())
+        for name in ("steps sim_time_s wall_time_s energy_start_J energy_end_J max_overlap_m escaped "
+                     "state_hash transport balls_owned handovers view_difference_max_m messages_sent "
+                     "messages_received messages_dropped rates").split():
+            self.assertIn(name, values)
+        self.assertEqual((values["steps"], values["escaped"], values["transport"]), (60, 0, "none"))
+        self.assertEqual(values["messages_sent"], 0)
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()),
+                         ["report.json", "state.csv"], "no temporary file is left")
+
+    def test_a_run_goes_on_from_its_state_file(self):
+        # The circle of billiard balls has no memory but its state: two halves are the whole.
+        config = self.folder / "world.txt"
+        whole, half, rest = (self.folder / name for name in ("whole.csv", "half.csv", "rest.csv"))
+        config.write_text("NumOfBalls=40\nGravity=0\nElasticity=1\nFriction=0\nWell=0,20,0,500,5\n"
+                          "WellStrength=0\n")
+        for steps, out, more in ((240, whole, ()), (120, half, ()),
+                                 (120, rest, ("--BallsFile", half))):
+            done = self.solo("--config", config, "--steps", steps, "--state-out", out, *more)
+            self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(whole.read_text(), rest.read_text())
+
+    def test_every_engine_runs_the_template(self):
+        for engine in ("ours", "reference-euler", "reference-improved-euler", "reference-rk",
+                       "reference-heun", "reference-rk4", "bullet"):
+            with self.subTest(engine=engine):
+                report = self.folder / "report.json"
+                done = self.solo("--config", CONFIG / "template.txt", "--steps", 120, "--engine",
+                                 engine, "--report", report)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertEqual(json.loads(report.read_text())["engine"], engine)
+
+    def test_frames_are_due_in_simulated_time(self):
+        frames = self.folder / "frames"
+        done = self.solo("--steps", 60, "--GraphicsRate", 10, "--frames", frames, "--ScreenWidth", 160,
+                         "--ScreenHeight", 120)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(sorted(path.name for path in frames.iterdir()),
+                         [f"frame_{k:06}.png" for k in range(11)])
+
+    def test_bad_input_starts_nothing(self):
+        state = self.folder / "state.csv"
+        bad = self.folder / "bad.txt"
+        bad.write_text("// look\nElasticity=1.5\n")
+        balls = self.folder / "balls.csv"
+        balls.write_text("id,x,y,z,vx,vy,vz,wx,wy,wz,radius,mass\n0,1,2,3,0,0,0,0,0,0,-1,1\n")
+        path = self.folder / "path.csv"
+        path.write_text("t,x,y,z,strength\n")
+        for arguments, says in (
+                (("--config", bad), f"{bad}:2: Elasticity=1.5: out of range; allowed: "),
+                (("--BallsFile", balls), f"{balls}:2: radius=-1: out of range; allowed: "),
+                (("--WellPath", path), f"{path}: no keyframe; allowed: "),
+                (("--BallRadius", "50"), "BallRadius=50: "),
+                (("--engine", "none"), "--engine none: no such engine; allowed: "),
+                (("--NoSuchKey", "1"), "--NoSuchKey: no such option; allowed: ")):
+            with self.subTest(arguments=arguments):
+                done = self.solo("--steps", 1, "--state-out", state, *arguments)
+                self.assertEqual(done.returncode, 2)
+                self.assertIn(says, done.stderr)
+                self.assertFalse(state.exists())
+
+    def test_a_video_needs_ffmpeg(self):
+        done = run("peer", "--solo", "--steps", 1, "--video", self.folder / "a.mp4",
+                   env={"PATH": str(self.folder)})
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("ffmpeg", done.stderr)
+
+    def test_an_interrupt_ends_cleanly(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            with self.subTest(signal=number):
+                state, video = self.folder / "state.csv", self.folder / "video.mp4"
+                process = subprocess.Popen([PROGRAM, "peer", "--solo", "--state-out", state, "--video",
+                                            video, "--SimulationRate", "60"])
+                time.sleep(1.5)
+                process.send_signal(number)
+                self.assertEqual(process.wait(timeout=30), 0)
+                self.assertEqual(len(state.read_text().splitlines()), 26)
+                self.assertIn(b"moov", video.read_bytes(), "the video is complete")
+                state.unlink()
+
+    def test_where_multicast_does_not_pass_a_peer_stays_alone(self):
+        report = self.folder / "report.json"
+        done = run("peer", "--duration", 1, "--report", report)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("ip route add 224.0.0.0/4", done.stderr)
+        self.assertEqual(json.loads(report.read_text())["transport"], "memory")
+        refused = run("peer", "--duration", 1, "--require-lcm")
+        self.assertEqual(refused.returncode, 1)
+        self.assertIn("--require-lcm: ", refused.stderr)
+
+    def test_where_multicast_does_not_pass_the_demonstration_has_one_peer(self):
+        demo = run("demo", "--config", CONFIG / "template.txt", "--out", self.folder / "out",
+                   "--duration", 1)
+        self.assertEqual(demo.returncode, 0, demo.stderr)
+        self.assertIn("ip route add 224.0.0.0/4", demo.stdout)
+        self.assertIn("One peer, alone, shared 25 balls for 1.00 s of simulated time by memory",
+                      demo.stdout)
+        refused = run("demo", "--config", CONFIG / "template.txt", "--out", self.folder / "out",
+                      "--duration", 1, "--require-lcm")
+        self.assertEqual(refused.returncode, 1)
+        self.assertIn("--require-lcm", refused.stderr)
+
+    def test_help_names_every_option_with_unit_and_default(self):
+        text = run("peer", "--help").stdout
+        for words in ("--SurfaceRadius VALUE", "above 0 to 1e6, in m. Default: 40\n", "--PeerID,--peer-id",
+                      "--state-out FILE", "--engine NAME", "Default: ours\n"):
+            self.assertIn(words, text)
+        self.assertEqual(run("no-such-command").returncode, 2)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
