@@ -14,18 +14,20 @@ namespace wells {
 namespace {
 
 constexpr Scene kScenes[] = {
-    {"T1", "heaps: balls fall from a lattice and collapse onto four wells", 10000, 0, 300,
+    {"T1", "heaps: balls fall from a lattice and collapse onto four wells", 10000, 0, 300, false,
      makeWellsCrowd},
-    {"T2", "gas: elastic, frictionless, without forces", 10000, 0, 300, makeGas},
-    {"T3", "settled: one layer of balls at rest on the ground", 10000, 0, 300, makeSettledLayer},
-    {"template", "the world of config/template.txt with one well", 25, 0, 600, makeTemplateWorld},
-    {"bounce", "a ball bounces on the ground without loss", 1, 1, 600, makeElasticBounce},
-    {"slide-to-roll", "a ball slides on the ground until friction makes it roll", 1, 1, 180,
+    {"T2", "gas: elastic, frictionless, without forces", 10000, 0, 300, false, makeGas},
+    {"T3", "settled: one layer of balls at rest on the ground", 10000, 0, 300, true,
+     makeSettledLayer},
+    {"template", "the world of config/template.txt with one well", 25, 0, 600, false,
+     makeTemplateWorld},
+    {"bounce", "a ball bounces on the ground without loss", 1, 1, 600, false, makeElasticBounce},
+    {"slide-to-roll", "a ball slides on the ground until friction makes it roll", 1, 1, 180, false,
      makeSlideToRoll},
-    {"billiard", "one ball hits a second, which hits a third", 3, 3, 180, makeBilliard},
-    {"circle-billiard", "a ball runs round inside the wall, hit after hit", 1, 1, 60000,
+    {"billiard", "one ball hits a second, which hits a third", 3, 3, 180, false, makeBilliard},
+    {"circle-billiard", "a ball runs round inside the wall, hit after hit", 1, 1, 60000, false,
      makeCircleBilliard},
-    {"orbit", "a ball orbits a softened well in free space", 1, 1, 1200, makeOrbit},
+    {"orbit", "a ball orbits a softened well in free space", 1, 1, 1200, false, makeOrbit},
 };
 
 }  // namespace

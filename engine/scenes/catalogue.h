@@ -16,6 +16,7 @@ struct Scene {
   std::size_t defaultBalls;
   std::size_t fixedBalls;  // not 0: the only number of balls that it has
   std::int64_t defaultSteps;
+  bool sleeping;  // whether engines that can let balls at rest sleep do so in benchmarks
   World (*make)(std::size_t balls, std::uint64_t seed);  // dt = 1/60 s
 };
 
