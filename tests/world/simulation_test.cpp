@@ -79,6 +79,26 @@ TEST(Simulation, BallThatIsNotFiniteHarmsNobodyElse) {
     EXPECT_EQ(clean.balls.position[i], spoiled.balls.position[i]) << i;
 }
 
+// A well that moves uniformly is one at rest seen from a moving frame; on smooth ground, so that
+// the ball is in contact and its step is taken in substeps.
+TEST(Simulation, SubstepsSeeAMovingWellWhereItIs) {
+  const Vec3 u{3, 0, -2};
+  World rest;
+  rest.settings.friction = 0;
+  rest.tracks = {{.keyframes = {{0, {5, 0.5, 0}, 60}}}};
+  rest.balls.add({.position = {0, 0.5, 0}, .velocity = {0, 0, 2}}, 0.5, 1);
+  World moving = rest;
+  moving.tracks[0].keyframes.push_back({240, Vec3(5, 0.5, 0) + 4 * u, 60});
+  moving.balls.velocity[0] += u;
+  const auto a = makeSimulation();
+  const auto b = makeSimulation();
+  for (int i = 0; i < 240; ++i) {
+    a->step(rest);
+    b->step(moving);
+  }
+  EXPECT_LE(length(moving.balls.position[0] - 4 * u - rest.balls.position[0]), 1e-11);
+}
+
 // Ghosts: pairs of them pass through each other, an owned ball meets them.
 TEST(Ghosts, TouchOwnedBallsOnly) {
   for (const Role other : {Role::Owned, Role::Ghost}) {
