@@ -1,0 +1,78 @@
+"""The benchmark's rows, and the same bits in each run:
+    python3 tests/app/bench_test.py PROGRAM
+"""
+
+import csv
+import pathlib
+import tempfile
+import unittest
+
+from peers import run
+
+HEADER = ("scene,engine,integrator,contacts,balls,dt,steps,threads,ms_per_step,ms_per_step_last100,"
+          "max_overlap_m,energy_start_J,energy_end_J,escaped,peak_rss_MiB,state_hash,commit,compiler,"
+          "flags,cpu")
+ENGINES = ("ours", "reference-euler", "reference-improved-euler", "reference-rk", "bullet")
+
+
+class Bench(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.csv = pathlib.Path(folder.name) / "rows.csv"
+
+    def rows(self, *arguments):
+        done = run("bench", "--csv", self.csv, *arguments)
+        self.assertEqual((done.returncode, done.stderr), (0, ""), arguments)
+        with open(self.csv, newline="") as file:
+            return list(csv.DictReader(file))
+
+    def test_every_scene_runs_with_every_engine(self):
+        scenes = [line.split()[0] for line in run("bench", "--list").stdout.splitlines()]
+        self.assertGreaterEqual(len(scenes), 9)
+        count = 0
+        for scene in scenes:
+            balls = ("--balls", 50) if scene in ("T1", "T2", "T3", "template") else ()
+            for engine in ENGINES:
+                with self.subTest(scene=scene, engine=engine):
+                    rows = self.rows("--scene", scene, *balls, "--steps", 20, "--engine", engine)
+                    count += 1
+                    self.assertEqual(len(rows), count, "one row is appended")
+                    self.assertEqual((rows[-1]["scene"], rows[-1]["engine"]), (scene, engine))
+                    self.assertEqual((rows[-1]["escaped"], rows[-1]["steps"]), ("0", "20"))
+        self.assertEqual(self.csv.read_text().splitlines()[0], HEADER)
+
+    def test_heaps_have_the_same_bits_in_each_run_and_for_any_number_of_threads(self):
+        for threads in (1, 1, 2, 4):
+            rows = self.rows("--scene", "T1", "--balls", 10000, "--steps", 300, "--engine", "ours",
+                             "--threads", threads)
+        self.assertEqual([row["threads"] for row in rows], ["1", "1", "2", "4"])
+        self.assertEqual(len({row["state_hash"] for row in rows}), 1)
+        self.assertEqual({row["escaped"] for row in rows}, {"0"})
+
+    def test_another_seed_has_another_hash(self):
+        rows = self.rows("--scene", "T1", "--balls", 100, "--steps", 10, "--seed", 1)
+        rows = self.rows("--scene", "T1", "--balls", 100, "--steps", 10, "--seed", 2)
+        self.assertNotEqual(rows[0]["state_hash"], rows[1]["state_hash"])
+
+    def test_bad_options_are_refused_before_anything_runs(self):
+        self.csv.write_text("another,header\n")
+        for arguments, says in (
+                (("--csv", self.csv), "--csv"),
+                (("--scene", "T9"), "--scene T9: scene 'T9' is unknown; allowed: T1, T2"),
+                (("--engine", "magic"), "--engine magic"),
+                (("--balls", 0), "--balls 0: out of range; allowed: a whole number 1 to"),
+                (("--balls", 4, "--scene", "billiard"), "scene 'billiard' has 3 balls"),
+                (("--dt", 2), "--dt 2"),
+                (("--integrator", "magic"), "allowed: symplectic-euler, leapfrog, rk4"),
+                (("--steps", "many"), "--steps many")):
+            with self.subTest(arguments=arguments):
+                done = run("bench", *arguments)
+                self.assertEqual(done.returncode, 2)
+                self.assertIn(says, done.stderr)
+                self.assertEqual(done.stdout, "")
+        self.assertEqual(self.csv.read_text(), "another,header\n")
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
