@@ -28,9 +28,10 @@ libglib2.0-0 - LCM runs on it
 iproute2 - a network of the demonstration's own
 ca-certificates - fetching LCM over https
 python3-venv - holds LCM
+libgtest-dev - GoogleTest: the tests are part of the build's configuration
 "
 test_packages="
-libgtest-dev - GoogleTest
+clang-format - checks the format of the sources
 "
 spy_packages="
 openjdk-17-jre - runs lcm-spy's window

@@ -21,29 +21,30 @@
 //   reference-rk4             the classical Runge-Kutta method (4th order), wells at each stage
 //
 // Contacts, relative to the arena's centre: detection.h. Resolution, at most N times: take the
-// contact with the most negative v_s = (v1 - v2).n, the first of equal ones, then those that overlap
-// at v_s = 0; stop when there is none. v_s' = -e v_s; where a_s = (a1 - a2).n h < 0, add e a_s and make v_s' 0 if it is below
-// 0.1 m/s. Impulse (v_s' - v_s)/(w1 + w2) along n. Then move both balls apart by their penetration,
-// shared by inverse mass. No friction impulse; spin is left as it is.
+// contact with the most negative v_s = (v1 - v2).n, the first of equal ones, then those that
+// overlap at v_s = 0; stop when there is none. v_s' = -e v_s; where a_s = (a1 - a2).n h < 0, add e
+// a_s and make v_s' 0 if it is below 0.1 m/s. Impulse (v_s' - v_s)/(w1 + w2) along n. Then move
+// both balls apart by their penetration, shared by inverse mass. No friction impulse; spin is left
+// as it is.
 //
 // Known flaws, each shown by a test in tests/reference:
 //   - Euler: the force does not enter the position.
 //   - Improved Euler averages the current and the previous step's velocity and adds a h^2/2 on top:
 //     it is not Heun's method, and of first order.
 //   - Runge-Kutta moves the ball itself at each stage: by about 3 h in a step of h, at any h, so it
-//     does not converge; in free fall it gains m g^2 h^2 (9/2 - 25/12) of energy a step. Its damping
-//     is d a step, whatever h is.
+//     does not converge; in free fall it gains m g^2 h^2 (9/2 - 25/12) of energy a step. Its
+//     damping is d a step, whatever h is.
 //   - Rolling resistance, -friction |m g| v, grows with speed (viscous, not Coulomb's).
 //   - The wall's penetration forgets r: nothing pushes a ball back before its centre is outside.
 //   - Each pair of balls is found twice.
 //
 // What the report leaves open, and is fixed here: contacts that overlap at v_s = 0 are resolved too
-// (Millington's own loop takes every overlap), because a ball that counts as rolling has v_s = 0, and
-// if nothing resolved its penetration, every resting ball would sink through the ground; v_last of a
-// ball's first step is its v, and so is it, with F = 0, whenever its position or velocity was changed
-// from outside, since nobody sends them along; the resolver uses a = gravity in all variants; a
-// contact without positive penetration moves nothing (Millington); ghosts are moved and touched like
-// any other ball.
+// (Millington's own loop takes every overlap), because a ball that counts as rolling has v_s = 0,
+// and if nothing resolved its penetration, every resting ball would sink through the ground; v_last
+// of a ball's first step is its v, and so is it, with F = 0, whenever its position or velocity was
+// changed from outside, since nobody sends them along; the resolver uses a = gravity in all
+// variants; a contact without positive penetration moves nothing (Millington); ghosts are moved and
+// touched like any other ball.
 //
 // Meant for up to 1,000 balls; 10,000 take tenths of a second a step.
 #pragma once
