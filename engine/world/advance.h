@@ -22,7 +22,7 @@ struct StepPlan {
 };
 
 /// How far a ball may move during a step (m): by its speed, by twice what its present acceleration
-/// could add, and by a tenth of its radius for what an impact within the step changes. Two balls
+/// could add, and by a quarter of its radius for what an impact within the step changes. Two balls
 /// may touch when their gap is at most the sum of their reaches.
 double reachOf(const Field& field, const BallState& ball, double radius, double dt);
 
