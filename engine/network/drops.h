@@ -23,7 +23,7 @@ enum class Drop : std::uint8_t {
   ClockApart,     // sent at another time than ours by more than the tolerance
   ForeignWorld,   // the sender's world config differs
   UnknownSender,  // no heartbeat of this incarnation was heard yet
-  DeadSender,     // it said good-bye, or its peer has a newer incarnation
+  DeadSender,     // it said good-bye, or its peer has a newer incarnation that lives
   Replayed,       // its sequence number was seen before, or is too old to tell
   ForeignGeneration,
   NotActive,  // the sender has no say in the world yet

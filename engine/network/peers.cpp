@@ -71,9 +71,8 @@ std::optional<Drop> Peers::hear(const gravity_wells::heartbeat_t& heartbeat, Tim
     peer.isOver = true;
     return std::nullopt;
   }
-  if (isMember(peer, generation_)) {
-    if (const auto drop = replaceOthers(peer, now.monotonic)) return drop;
-  }
+  if (isReplaced(peer, now.monotonic)) return Drop::DeadSender;
+  if (isMember(peer, generation_)) leases_.supersede(who, now.monotonic);
   renew(peer, header.step, now.monotonic);
   return std::nullopt;
 }
@@ -85,21 +84,19 @@ std::optional<Drop> Peers::hear(const gravity_wells::peer_header_t& header, Time
   if (peer->isOver) return Drop::DeadSender;
   if (!peer->sequences.accept(header.sequence)) return Drop::Replayed;
   if (peer->world == WorldMatch::Foreign) return Drop::ForeignWorld;
+  if (isReplaced(*peer, now.monotonic)) return Drop::DeadSender;
   peer->heardAt = now.monotonic;
   if (generationOf(header) == peer->generation) renew(*peer, header.step, now.monotonic);
   return std::nullopt;
 }
 
-std::optional<Drop> Peers::replaceOthers(const Peer& peer, double now) {
-  for (auto& [number, other] : peers_) {
-    if (other.who.peer != peer.who.peer || number == peer.who.number) continue;
-    if (!isMember(other, generation_)) continue;
-    const bool isNewer = other.startedBefore(peer.startedUs, peer.who.number);
-    if (!isNewer && leases_.isLiving(other.who, now)) return Drop::DeadSender;
-    other.isOver = true;
-  }
-  leases_.supersede(peer.who, now);
-  return std::nullopt;
+bool Peers::isReplaced(const Peer& peer, double now) const {
+  return isMember(peer, generation_) && std::ranges::any_of(peers_, [&](const auto& entry) {
+           const Peer& other = entry.second;
+           return other.who.peer == peer.who.peer && other.who != peer.who &&
+                  isMember(other, generation_) && leases_.isLiving(other.who, now) &&
+                  peer.startedBefore(other.startedUs, other.who.number);
+         });
 }
 
 void Peers::renew(Peer& peer, std::int64_t step, double now) {

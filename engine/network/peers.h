@@ -6,9 +6,11 @@
 //  - A sequence number counts once (SequenceWindow). Entries are kept for longer than the clock
 //    tolerance can hide the age of a message, so that a log played back into the group finds either
 //    its sequence numbers or its wall clock refused.
-//  - Of two members with one id, the one that started later has replaced the other, whose lease
-//    ends for good. A joiner replaces nobody: it has yet to find an id.
-//  - A lease that ended by silence begins again when the incarnation is heard advancing.
+//  - Of two members with one id, the one that started later counts: the other's lease ends at once,
+//    and it is refused as long as the later one lives. A joiner replaces nobody: it has yet to find
+//    an id.
+//  - A lease that ended otherwise than by a good-bye begins again when the incarnation is heard,
+//    with a new sequence number and an advancing step.
 #pragma once
 
 #include <cstdint>
@@ -48,7 +50,7 @@ struct Peer {
   double stepHeardAt = 0;  // ... at this time, s
   double heardAt = 0;      // s
   int heartbeats = 0;      // heard, up to a few
-  bool isOver = false;     // good-bye said, or replaced
+  bool isOver = false;     // it said good-bye
   bool isNoted = false;    // the user was told about its world or its clock
   SequenceWindow sequences{};
 
@@ -106,7 +108,7 @@ class Peers {
   static constexpr std::size_t kCapacity = 2048;
 
   std::optional<Drop> checkClock(const gravity_wells::peer_header_t& header, Times now) const;
-  std::optional<Drop> replaceOthers(const Peer& peer, double now);
+  bool isReplaced(const Peer& peer, double now) const;
   void renew(Peer& peer, std::int64_t step, double now);
 
   std::int64_t worldHash_;

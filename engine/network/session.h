@@ -115,10 +115,12 @@ class Session {
   void act(World& world, Times now);
   void found(World& world, Times now);
   void enter(World& world, const Generation& generation, Times now);
+  void followGroup(World& world, Times now);
   void activate(World& world, Times now);
   void fence(World& world, PeerId peer, Times now);
   void fenceAfterStall(World& world, Times now);
   void takeIncarnation(PeerId peer, Times now);
+  void showWell(World& world);
   void forgetWells(World& world, Times now);
   Generation greatestHeard(double now) const;
 
@@ -175,9 +177,10 @@ class Session {
   double lastActiveHeard_ = 0;      // s, while syncing
   std::int64_t observedStep_ = -1;  // of the view that was kept last
   std::int64_t stopAt_ = std::numeric_limits<std::int64_t>::max();
-  bool isWaiting_ = false;     // the others are too far behind
-  bool clockIsNoted_ = false;  // the user was told of a clock that is off
-  std::exception_ptr error_;   // found while receiving, thrown afterwards
+  bool isWaiting_ = false;                 // the others are too far behind
+  std::optional<double> clockApartSince_;  // s, when a clock was first found to be off
+  bool clockIsNoted_ = false;              // the user was told of a clock that is off
+  std::exception_ptr error_;               // found while receiving, thrown afterwards
 
   // When the next of each is due, s.
   double nextHeartbeat_ = 0, nextConfig_ = 0, nextStatistics_ = 0, nextWell_ = 0, nextStates_ = 0;

@@ -58,8 +58,9 @@ void Session::enter(World& world, const Generation& generation, Times now) {
   peers_.setGeneration(generation, now.monotonic);
   balls_.enter(world, generation);
   removeTracks(world.tracks, [](PeerId) { return true; });
-  world.step = frontStep(paces(now.monotonic), paceRule(), now.monotonic).value_or(0);
+  world.step = 0;
   lastActiveHeard_ = now.monotonic;
+  followGroup(world, now);
   phase_ = Phase::Syncing;
 }
 
@@ -68,10 +69,7 @@ void Session::synchronise(World& world, Times now) {
     enter(world, greatest, now);
     return;
   }
-  if (const auto front = frontStep(paces(now.monotonic), paceRule(), now.monotonic)) {
-    world.step = std::max(world.step, *front);
-    lastActiveHeard_ = now.monotonic;
-  }
+  followGroup(world, now);
   forgetWells(world, now);
   if (balls_.missing() == 0) {
     activate(world, now);
@@ -84,16 +82,30 @@ void Session::synchronise(World& world, Times now) {
   }
 }
 
+void Session::followGroup(World& world, Times now) {
+  const std::vector<PeerPace> others = paces(now.monotonic);
+  const auto front = frontStep(others, paceRule(), now.monotonic);
+  if (!front) return;
+  // What the others have done counts; what they have probably done since, only up to our stop.
+  const std::int64_t done = std::ranges::max(others, {}, &PeerPace::step).step;
+  world.step = std::max({world.step, done, std::min(*front, stopAt_)});
+  lastActiveHeard_ = now.monotonic;
+}
+
 void Session::activate(World& world, Times now) {
   world.step = std::max(world.step, balls_.latestStep());
   balls_.activate(world);
-  if (std::ranges::find(world.tracks, peer(), &WellTrack::peer) == world.tracks.end())
-    addOwnTrack(world.tracks, peer(), options_.well, world.step, Appearance::Delayed);
-  extendOwnTrack(world.tracks, peer(), options_.well, world.step);
+  showWell(world);
   nextOffers_ = world.step;
   nextHeartbeat_ =
       now.monotonic;  // the others refuse our states until they know that we are active
   phase_ = Phase::Active;
+}
+
+void Session::showWell(World& world) {
+  if (std::ranges::find(world.tracks, peer(), &WellTrack::peer) == world.tracks.end())
+    addOwnTrack(world.tracks, peer(), options_.well, world.step, Appearance::Delayed);
+  extendOwnTrack(world.tracks, peer(), options_.well, world.step);
 }
 
 void Session::act(World& world, Times now) {
@@ -153,6 +165,7 @@ void Session::fence(World& world, PeerId newId, Times now) {
     return;
   }
   // There was nobody who could have taken the balls.
+  showWell(world);
   balls_.adoptAll(world, self_, peers_.leases(), now.monotonic);
 }
 

@@ -1,5 +1,6 @@
 // What a session does with what it receives. Whatever is refused here changes nothing.
 #include <algorithm>
+#include <cstdlib>
 
 #include "network/message_fields.h"
 #include "network/session.h"
@@ -12,6 +13,8 @@ namespace {
 // Heartbeats heard from another peer with our id before we believe in it. A message of our own
 // predecessor that is still under way must not drive us out.
 constexpr int kHeartbeatsToBelieve = 3;
+
+constexpr double kClockPatience = 1;  // s
 
 std::string describe(const Peer& peer) {
   return "peer " + std::to_string(value(peer.who.peer));
@@ -55,19 +58,13 @@ std::optional<Drop> Session::settleId(World& world, const Peer& other, Times now
   if (other.heartbeats < kHeartbeatsToBelieve || other.isOver) return Drop::DuplicateId;
   const bool otherJoins = other.phase == Phase::Joining;
   const bool weJoin = phase_ == Phase::Joining;
-  const bool isRival = !weJoin && !otherJoins && other.generation == generation_;
   bool weYield = other.startedBefore(startedUs_, self_.number);
   if (weJoin != otherJoins) {
     weYield = weJoin;
-  } else if (!weJoin && !isRival) {
+  } else if (!weJoin && other.generation != generation_) {
     weYield = other.generation > generation_;
   }
-  if (weYield) {
-    giveUpId(world, now);
-  } else if (isRival) {
-    // The others may have taken it for our successor, and count our incarnation out.
-    fence(world, peer(), now);
-  }
+  if (weYield) giveUpId(world, now);
   return Drop::DuplicateId;
 }
 
@@ -160,10 +157,14 @@ void Session::noteForeignWorld(Peer& other, const std::string& canonical) {
 }
 
 void Session::noteClock(const gravity_wells::peer_header_t& header, Times now) {
-  if (std::exchange(clockIsNoted_, true)) return;
-  const double apart = static_cast<double>(header.utime - now.wallUs) * 1e-6;
-  note("the wall clock of peer " + std::to_string(header.peer_id) + " is " + std::to_string(apart) +
-       " s ahead of ours; set both to the same time, it is ignored");
+  // After a stall of our own, what has waited for us is old, and no clock is wrong.
+  if (!clockApartSince_) clockApartSince_ = now.monotonic;
+  if (now.monotonic - *clockApartSince_ < kClockPatience || clockIsNoted_) return;
+  clockIsNoted_ = true;
+  const std::int64_t ahead = (header.utime - now.wallUs) / 1'000'000;
+  note("the wall clock of peer " + std::to_string(header.peer_id) + " is " +
+       std::to_string(std::abs(ahead)) + " s " + (ahead > 0 ? "ahead of" : "behind") +
+       " ours; it is ignored until both show the same time");
 }
 
 std::optional<Drop> Session::hear(World&, const gravity_wells::statistics_t& m, Times now) {

@@ -9,7 +9,7 @@ SharedBalls::SharedBalls(const World& initial, Predictor predict)
       initial_(initial.balls),
       records_(initial.balls.size()),
       watches_(initial.balls.size()),
-      gathered_(initial.balls.size(), 0),
+      gathered_(initial.balls.size(), -1),
       missing_(initial.balls.size()),
       ghosts_(initial.balls.size()) {}
 
@@ -22,6 +22,7 @@ void SharedBalls::found(World& world, const Generation& generation, const Incarn
 
 void SharedBalls::enter(World& world, const Generation& generation) {
   drop(world);
+  openOffers_.clear();
   world.balls = initial_;
   std::ranges::fill(records_, unknown(generation));
 }
@@ -29,23 +30,19 @@ void SharedBalls::enter(World& world, const Generation& generation) {
 void SharedBalls::drop(World& world) {
   for (std::size_t i = 0; i < records_.size(); ++i) setRole(world, i, Role::Ghost);
   std::ranges::fill(watches_, HandoverWatch{});
-  std::ranges::fill(gathered_, 0);
+  std::ranges::fill(gathered_, -1);
   missing_ = records_.size();
   early_.clear();
-  openOffers_.clear();
   views_.clear();
 }
 
 std::int64_t SharedBalls::latestStep() const {
-  std::int64_t latest = 0;
-  for (std::size_t i = 0; i < records_.size(); ++i)
-    if (gathered_[i]) latest = std::max(latest, records_[i].version.step);
-  return latest;
+  return gathered_.empty() ? 0 : std::max<std::int64_t>(0, std::ranges::max(gathered_));
 }
 
 void SharedBalls::activate(World& world) {
-  for (std::size_t i = 0; i < records_.size(); ++i)
-    if (gathered_[i]) place(world, {i, records_[i].version, world.balls.state(i)});
+  for (std::size_t i = 0; i < gathered_.size(); ++i)
+    if (gathered_[i] >= 0) place(world, i, world.balls.state(i), gathered_[i]);
 }
 
 std::optional<Drop> SharedBalls::check(const World& world, const BallNews& news) const {
@@ -60,13 +57,11 @@ std::optional<Drop> SharedBalls::gather(World& world, const BallNews& news, Stan
   if (const auto drop = check(world, news)) return drop;
   const auto next = standing == Standing::Heard ? learnState(records_[i], news.version)
                                                 : learnOffer(records_[i], news.version);
-  // After drop() the record may know the version whose state has to be heard again.
-  const bool isAwaited = !gathered_[i] && news.version == records_[i].version;
-  if (!next && !isAwaited) return std::nullopt;
   if (next) records_[i] = *next;
+  if (!next && gathered_[i] >= 0) return std::nullopt;
   world.balls.setState(i, news.state);
-  if (!gathered_[i]) --missing_;
-  gathered_[i] = 1;
+  if (gathered_[i] < 0) --missing_;
+  gathered_[i] = news.version.step;
   return std::nullopt;
 }
 
@@ -80,7 +75,7 @@ std::optional<Drop> SharedBalls::hearState(World& world, const BallNews& news, d
     early_[{news.version.step, news.ball}] = news;
   } else {
     compareWithView(world, news, now);
-    place(world, news);
+    place(world, news.ball, news.state, news.version.step);
   }
   return std::nullopt;
 }
@@ -99,7 +94,7 @@ std::optional<Drop> SharedBalls::hearOffer(World& world, const BallNews& news,
     return std::nullopt;
   }
   compareWithView(world, news, now);
-  place(world, news);
+  place(world, news.ball, news.state, news.version.step);
   if (news.version.owner == self) take(world, news.ball, self);
   return std::nullopt;
 }
@@ -111,14 +106,14 @@ void SharedBalls::applyDue(World& world, const Incarnation& self) {
     const Record& record = records_[news.ball];
     const bool isOvertaken = !sameTenure(record.version, news.version);
     if (isOvertaken || owns(record, self)) continue;
-    place(world, news);
+    place(world, news.ball, news.state, news.version.step);
     if (news.version.owner == self) take(world, news.ball, self);
   }
 }
 
-void SharedBalls::place(World& world, const BallNews& news) {
-  const std::int64_t from = std::max(news.version.step, world.step - kMaxPredicted);
-  world.balls.setState(news.ball, predict_(world, news.ball, news.state, from, world.step));
+void SharedBalls::place(World& world, std::size_t ball, const BallState& state, std::int64_t step) {
+  const std::int64_t from = std::max(step, world.step - kMaxPredicted);
+  world.balls.setState(ball, predict_(world, ball, state, from, world.step));
 }
 
 void SharedBalls::take(World& world, std::size_t ball, const Incarnation& self) {

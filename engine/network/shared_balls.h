@@ -58,8 +58,8 @@ class SharedBalls {
   /// Starts over in another generation: initial states, records that know nothing.
   void enter(World& world, const Generation& generation);
 
-  /// Gives everything up after our own loop stood still: records stay (a version never goes back),
-  /// every state has to be heard again.
+  /// Gives everything up after our own loop stood still. Records stay (a version never goes back),
+  /// and so do open offers; every state has to be heard again.
   void drop(World& world);
 
   /// Balls of which no state was heard since enter() or drop().
@@ -73,7 +73,10 @@ class SharedBalls {
 
   // What others say. Only of members that are active in our generation.
 
-  /// While gathering: keeps the newest state of each ball.
+  /// While gathering: keeps the newest state of each ball. A state will do whose version is less
+  /// than our record: we may be the only one to know that record, because its owner, ourselves
+  /// perhaps, has gone before it was heard. Once active we shall adopt the ball or repeat the
+  /// offer.
   std::optional<Drop> gather(World& world, const BallNews& news, Standing standing);
 
   /// While active: an owner's state.
@@ -127,7 +130,8 @@ class SharedBalls {
  private:
   std::optional<Drop> check(const World& world, const BallNews& news) const;
   void setRole(World& world, std::size_t ball, Role role);
-  void place(World& world, const BallNews& news);
+  /// Sets the state that holds at `step` <= world.step, brought to world.step.
+  void place(World& world, std::size_t ball, const BallState& state, std::int64_t step);
   void take(World& world, std::size_t ball, const Incarnation& self);
   void adoptBall(World& world, std::size_t ball, const Incarnation& self);
   void compareWithView(const World& world, const BallNews& news, double now);
@@ -136,7 +140,7 @@ class SharedBalls {
   Balls initial_;
   std::vector<Record> records_;
   std::vector<HandoverWatch> watches_;
-  std::vector<char> gathered_;
+  std::vector<std::int64_t> gathered_;  // step of the state that was gathered; -1: none
   std::size_t missing_ = 0;
   std::size_t ghosts_ = 0;
   std::map<std::pair<std::int64_t, std::size_t>, BallNews> early_;  // by (step, ball)

@@ -6,25 +6,26 @@ namespace wells {
 
 bool Leases::hear(const Incarnation& who, std::int64_t step, Progress progress, double duration,
                   double now) {
-  const auto [entry, isNew] = leases_.try_emplace(who, Lease{step, duration, now, std::nullopt});
+  const auto [entry, isNew] = leases_.try_emplace(who, Lease{step, duration, now});
   Lease& lease = entry->second;
-  if (lease.ended) return false;
+  if (lease.isOver) return false;
   lease.duration = duration;
   if (!isNew && step <= lease.step && progress == Progress::Running) return false;
   lease.step = step;
   lease.renewed = now;
+  lease.ended.reset();
   return true;
 }
 
 void Leases::expect(const Incarnation& who, double duration, double now) {
   // Below every step, so that the first message heard renews it.
-  leases_.try_emplace(who,
-                      Lease{std::numeric_limits<std::int64_t>::min(), duration, now, std::nullopt});
+  leases_.try_emplace(who, Lease{std::numeric_limits<std::int64_t>::min(), duration, now});
 }
 
 void Leases::end(const Incarnation& who, double now) {
-  Lease& lease = leases_.try_emplace(who, Lease{0, 0, now, std::nullopt}).first->second;
-  if (!lease.ended) lease.ended = endedAt(lease, now).value_or(now);
+  Lease& lease = leases_.try_emplace(who, Lease{0, 0, now}).first->second;
+  lease.ended = endedAt(lease, now).value_or(now);
+  lease.isOver = true;
 }
 
 void Leases::supersede(const Incarnation& newest, double now) {
@@ -35,7 +36,7 @@ void Leases::supersede(const Incarnation& newest, double now) {
 
 bool Leases::isOver(const Incarnation& who) const {
   const auto entry = leases_.find(who);
-  return entry != leases_.end() && entry->second.ended;
+  return entry != leases_.end() && entry->second.isOver;
 }
 
 std::optional<double> Leases::endedAt(const Incarnation& who, double now) const {

@@ -8,7 +8,9 @@
 //  - Without renewal it runs out. The same incarnation, heard again and advancing, begins a new
 //  one:
 //    it was suspected wrongly. What was adopted from it meanwhile stays adopted, by its version.
-//  - end() is for good: a peer that said good-bye, or that has a newer incarnation.
+//  - A newer incarnation of the peer ends it at once: supersede(). Should that one be the first to
+//    go (two machines had the same id, and one took another), the older may be heard again.
+//  - A good-bye ends it for good: end().
 #pragma once
 
 #include <map>
@@ -36,7 +38,8 @@ class Leases {
   /// Ends the lease of `who` for good.
   void end(const Incarnation& who, double now);
 
-  /// Ends the leases of every other incarnation of newest.peer for good.
+  /// Ends the leases of every other incarnation of newest.peer. Whether such a one may be heard
+  /// again is for the caller to know: not as long as `newest` lives.
   void supersede(const Incarnation& newest, double now);
 
   bool isLiving(const Incarnation& who, double now) const { return !endedAt(who, now); }
@@ -55,9 +58,10 @@ class Leases {
  private:
   struct Lease {
     std::int64_t step = 0;
-    double duration = 0;          // s
-    double renewed = 0;           // s
-    std::optional<double> ended;  // s; set: for good
+    double duration = 0;            // s
+    double renewed = 0;             // s
+    std::optional<double> ended{};  // s; set: it did not just run out
+    bool isOver = false;            // for good
   };
   std::optional<double> endedAt(const Lease& lease, double now) const;
   std::map<Incarnation, Lease> leases_;

@@ -149,6 +149,12 @@ class Group {
         peers_, [](const auto& peer) { return peer->session->phase() == Phase::Active; });
   }
 
+  bool allActiveInOneGeneration() const {
+    return allActive() && std::ranges::all_of(peers_, [&](const auto& peer) {
+             return peer->session->generation() == peers_.front()->session->generation();
+           });
+  }
+
   /// Peers that act as owner of a ball.
   int ownersOf(std::size_t ball) const {
     int owners = 0;

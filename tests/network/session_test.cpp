@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <map>
+#include <set>
+
 #include "network/session_group.h"
 
 namespace wells {
@@ -52,6 +56,279 @@ TEST(Session, BallsFollowTheNearestWellAndAllViewsAgreeToTheBit) {
   ASSERT_TRUE(group.settle(5));
   EXPECT_TRUE(group.everyBallHasOneOwner());
   group.expectEqualViews();
+}
+
+TEST(Session, AGroupAgreesOnEveryWellAtEveryStep) {
+  Group group(25);
+  for (int id = 1; id <= 3; ++id) group.add(testOptions(id));
+  ASSERT_TRUE(group.runUntil([&] { return group.allActive(); }, 10));
+  group.run(1);
+  for (int i = 0; i < 120; ++i) {
+    group.tick();
+    const World& first = group.peers()[0]->world;
+    ASSERT_EQ(first.tracks.size(), 3u);
+    for (const auto& peer : group.peers())
+      for (std::size_t t = 0; t < 3; ++t) {
+        const Well a = wellAt(first.tracks[t], first.step, kTick);
+        const Well b = wellAt(peer->world.tracks[t], first.step, kTick);
+        ASSERT_EQ(a.peer, b.peer);
+        ASSERT_EQ(a.position, b.position);
+        ASSERT_EQ(a.strength, b.strength);
+      }
+  }
+}
+
+TEST(Session, KeepsFixedWellsAndForgetsOldKeyframes) {
+  World world = testWorld(3);
+  world.tracks = {{.keyframes = {{0, Vec3{1, 2, 3}, 5}}, .softening = 2, .peer = PeerId{9}}};
+  const auto network = std::make_shared<MemoryNetwork>();
+  MemoryTransport transport(network);
+  SessionOptions options = testOptions(1);
+  options.listen = 0;
+  Session session(options, world, transport);
+  const auto stepper = makeSimulation();
+  for (int i = 0; i < 1200; ++i) {
+    const Times now{i * kTick, 1'700'000'000'000'000 + i * 16'667};
+    session.beforeStep(world, now);
+    ASSERT_EQ(session.mayStep(world, now), 1);
+    stepper->step(world);
+    session.afterStep(world, now);
+  }
+  ASSERT_EQ(world.tracks.size(), 2u);
+  EXPECT_EQ(world.tracks[0].peer, kNobody) << "a track of the initial world is a part of it";
+  EXPECT_EQ(world.tracks[0].keyframes.size(), 1u);
+  EXPECT_LT(world.tracks[1].keyframes.size(), 50u);
+  EXPECT_LE(world.tracks[1].keyframes.front().step, world.step - 240);
+}
+
+TEST(Session, ALateJoinerIsActiveSoonAfterListeningAndHoldsTheOwnersStates) {
+  Group group(200);
+  for (int id = 1; id <= 2; ++id) group.add(testOptions(id));
+  group.run(15);
+  TestPeer& late = group.add(testOptions(3));
+  group.run(2 * kLease);
+  ASSERT_TRUE(group.runUntil([&] { return late.session->phase() == Phase::Active; }, 3));
+  const TestPeer& first = *group.peers()[0];
+  EXPECT_NEAR(static_cast<double>(late.world.step), static_cast<double>(first.world.step), 4);
+  EXPECT_EQ(late.session->generation(), first.session->generation());
+  // Nobody has moved a ball further than its prediction errs in the second since it was published.
+  for (std::size_t i = 0; i < group.balls(); ++i)
+    EXPECT_LT(length(late.world.balls.position[i] - first.world.balls.position[i]), 2) << i;
+  group.run(10);
+  EXPECT_GT(late.owned(), 0u);
+  ASSERT_TRUE(group.settle(5));
+  group.expectEqualViews();
+}
+
+TEST(Session, TheBallsOfAKilledOwnerAreOwnedAgainWithinTwoLeases) {
+  for (int survivors = 1; survivors <= 3; ++survivors) {
+    Group group(100);
+    for (int id = 1; id <= survivors + 1; ++id) group.add(testOptions(id));
+    group.run(15);
+    TestPeer& victim = *group.peers().back();
+    ASSERT_GT(victim.owned(), 0u);
+    group.kill(victim);
+    EXPECT_FALSE(group.everyBallHasOneOwner());
+    EXPECT_TRUE(group.runUntil([&] { return group.everyBallHasOneOwner(); }, 2 * kLease));
+    group.run(1);
+    for (const auto& peer : group.peers()) {
+      EXPECT_EQ(peer->world.tracks.size(), static_cast<std::size_t>(survivors))
+          << "its well is gone";
+    }
+    ASSERT_TRUE(group.settle(5));
+    EXPECT_TRUE(group.everyBallHasOneOwner());
+    group.expectEqualViews();
+  }
+}
+
+TEST(Session, WhoLeavesIsNotWaitedFor) {
+  Group group(100);
+  for (int id = 1; id <= 3; ++id) group.add(testOptions(id));
+  group.run(15);
+  TestPeer& leaver = *group.peers().back();
+  ASSERT_GT(leaver.owned(), 0u);
+  leaver.session->leave(leaver.world, group.timesOf(leaver));
+  group.kill(leaver);
+  // The nearest at once, the next after a third of a lease at most.
+  EXPECT_TRUE(group.runUntil([&] { return group.everyBallHasOneOwner(); }, kLease / 2));
+  ASSERT_TRUE(group.settle(5));
+  group.expectEqualViews();
+}
+
+TEST(Session, ARestartedPeerComesBackAsAnotherIncarnationAndGetsBallsAgain) {
+  Group group(100);
+  for (int id = 1; id <= 2; ++id) group.add(testOptions(id));
+  group.run(15);
+  group.kill(*group.peers().back());
+  group.run(0.5);
+  TestPeer& again = group.add(testOptions(2, 1));
+  ASSERT_TRUE(group.runUntil([&] { return again.session->phase() == Phase::Active; }, 10));
+  EXPECT_EQ(again.session->peer(), PeerId{2});
+  group.run(10);
+  EXPECT_GT(again.owned(), 0u);
+  ASSERT_TRUE(group.settle(5));
+  EXPECT_TRUE(group.everyBallHasOneOwner());
+  group.expectEqualViews();
+}
+
+TEST(Session, TheLaterOfTwoEqualIdsTakesTheLowestFreeOne) {
+  Group group(25);
+  group.add(testOptions(1));
+  group.run(6);
+  group.add(testOptions(2));
+  group.run(6);
+  TestPeer& twin = group.add(testOptions(1, 1));
+  ASSERT_TRUE(group.runUntil([&] { return group.allActive(); }, 12));
+  EXPECT_EQ(twin.session->peer(), PeerId{3});
+  ASSERT_FALSE(twin.notices.empty());
+  EXPECT_NE(twin.notices.front().find("takes id 3"), std::string::npos) << twin.notices.front();
+  EXPECT_EQ(group.peers()[0]->session->counts().fences, 0);
+  group.run(2);
+  ASSERT_TRUE(group.settle(5));
+  group.expectEqualViews();
+}
+
+TEST(Session, AWholeLabWithOneTemplateFindsIdsForAll) {
+  Group group(25);
+  for (std::uint64_t i = 0; i < 6; ++i) group.add(testOptions(1, i));
+  ASSERT_TRUE(group.runUntil([&] { return group.allActive(); }, 40));
+  std::set<PeerId> ids;
+  for (const auto& peer : group.peers()) ids.insert(peer->session->peer());
+  EXPECT_EQ(ids.size(), 6u);
+  EXPECT_EQ(*ids.rbegin(), PeerId{6});
+  group.run(5);
+  ASSERT_TRUE(group.settle(5));
+  group.expectEqualViews();
+}
+
+TEST(Session, AnExplicitIdThatIsTakenIsAnError) {
+  Group group(25);
+  group.add(testOptions(1));
+  group.run(6);
+  SessionOptions options = testOptions(1, 1);
+  options.idChoice = PeerIdChoice::Explicit;
+  group.add(options);
+  try {
+    group.run(6);
+    FAIL() << "nothing was thrown";
+  } catch (const PeerIdTaken& error) {
+    EXPECT_NE(std::string(error.what()).find("peer id 1 is in use"), std::string::npos);
+  }
+  EXPECT_EQ(group.peers()[0]->session->counts().fences, 0);
+}
+
+TEST(Session, AJoinerOfAnotherWorldIsToldTheKeyThatDiffersAndTheOthersGoOn) {
+  Group group(25);
+  group.add(testOptions(1));
+  group.run(6);
+  SessionOptions options = testOptions(2);
+  options.canonicalConfig = "BallRadius=0.6\nNumOfBalls=many\n";
+  options.worldHash = 43;
+  TestPeer& foreign = group.add(options);
+  try {
+    group.run(6);
+    FAIL() << "nothing was thrown";
+  } catch (const WorldMismatch& error) {
+    EXPECT_STREQ(error.what(),
+                 "peer 1 simulates another world: BallRadius is 0.5 there and 0.6 here");
+  }
+  EXPECT_EQ(foreign.session->phase(), Phase::Joining);
+  const TestPeer& first = *group.peers()[0];
+  ASSERT_EQ(first.notices.size(), 2u);
+  EXPECT_NE(first.notices[1].find("BallRadius is 0.6 there and 0.5 here; it is ignored"),
+            std::string::npos)
+      << first.notices[1];
+  EXPECT_GT(first.session->counts().drops[Drop::ForeignWorld], 0);
+}
+
+TEST(Session, AMachineWhoseClockIsFarOffIsIgnoredAndNamed) {
+  Group group(25);
+  group.add(testOptions(1));
+  group.run(6);
+  TestPeer& off = group.add(testOptions(2));
+  off.clockOffset = 3600;
+  group.run(6);
+  const TestPeer& first = *group.peers()[0];
+  EXPECT_EQ(first.session->livingPeers(group.timesOf(first)).size(), 1u);
+  EXPECT_GT(first.session->counts().drops[Drop::ClockApart], 0);
+  EXPECT_NE(first.notices.back().find("3599 s ahead of ours"), std::string::npos)
+      << first.notices.back();
+}
+
+TEST(Session, ClocksTenSecondsApartDoNoHarm) {
+  Group group(50);
+  for (int id = 1; id <= 3; ++id) group.add(testOptions(id)).clockOffset = 10.0 * (id - 2);
+  ASSERT_TRUE(group.runUntil([&] { return group.allActive(); }, 15));
+  group.run(5);
+  ASSERT_TRUE(group.settle(5));
+  EXPECT_TRUE(group.everyBallHasOneOwner());
+  group.expectEqualViews();
+}
+
+TEST(Session, PeersThatStartSecondsApartKeepPace) {
+  Group group(25);
+  group.add(testOptions(1));
+  group.run(10);
+  group.add(testOptions(2));
+  group.run(10);
+  for (int i = 0; i < 600; ++i) {
+    group.tick();
+    const auto apart = group.peers()[0]->world.step - group.peers()[1]->world.step;
+    ASSERT_LE(std::abs(apart), 4);
+  }
+}
+
+TEST(Session, ThePeerThatIsSlowerHoldsTheOthersBackOnlySoFar) {
+  Group group(25);
+  group.add(testOptions(1));
+  group.add(testOptions(2));
+  ASSERT_TRUE(group.runUntil([&] { return group.allActive(); }, 10));
+  // Every second tick of peer 2 is lost; it catches up by doing more steps in the others.
+  TestPeer& slow = *group.peers()[1];
+  for (int i = 0; i < 1200; ++i) {
+    slow.isStalled = i % 2 == 1;
+    group.tick();
+    ASSERT_LE(std::abs(group.peers()[0]->world.step - slow.world.step), 32);
+  }
+  EXPECT_GT(group.peers()[0]->world.step, 1000);
+}
+
+TEST(Session, EveryMessageFitsOneFrameAndStatisticsAreSent) {
+  Group group(200);
+  for (int id = 1; id <= 2; ++id) group.add(testOptions(id));
+  MemoryTransport listener(group.sharedNetwork());
+  group.run(15);
+  std::map<std::string, int> messages;
+  listener.poll([&](std::string_view channel, std::span<const std::byte> bytes) {
+    EXPECT_LE(bytes.size(), kMaxMessageBytes);
+    EXPECT_TRUE(std::holds_alternative<Message>(decode(channel, bytes, {.balls = 200})));
+    ++messages[std::string(channel)];
+  });
+  EXPECT_NEAR(messages["WELLS_HEARTBEAT"], 2 * 15 * 10, 20);
+  EXPECT_NEAR(messages["WELLS_CONFIG"], 2 * 15, 3);
+  EXPECT_NEAR(messages["WELLS_STATISTICS"], 2 * 11, 6);
+  EXPECT_GT(messages["WELLS_WELL"], 0);
+  EXPECT_GT(messages["WELLS_OFFERS"], 0);
+  EXPECT_GT(messages["WELLS_BALLS"], 0);
+}
+
+TEST(Session, RefusesOptionsOutsideTheirRanges) {
+  World world = testWorld(3);
+  MemoryTransport transport(std::make_shared<MemoryNetwork>());
+  const auto refuses = [&](const std::function<void(SessionOptions&)>& damage) {
+    SessionOptions options = testOptions(1);
+    damage(options);
+    EXPECT_THROW(Session(options, world, transport), std::invalid_argument);
+  };
+  refuses([](auto& o) { o.peer = kNobody; });
+  refuses([](auto& o) { o.peer = PeerId{256}; });
+  refuses([](auto& o) { o.lease = 0; });
+  refuses([](auto& o) { o.lease = 61; });
+  refuses([](auto& o) { o.stateRate = 0; });
+  refuses([](auto& o) { o.ballsPerTick = 11; });
+  refuses([](auto& o) { o.canonicalConfig.assign(1001, 'x'); });
+  refuses([](auto& o) { o.well.at = nullptr; });
+  refuses([](auto& o) { o.predict = nullptr; });
 }
 
 }  // namespace

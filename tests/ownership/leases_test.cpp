@@ -66,8 +66,17 @@ TEST(Leases, ANewIncarnationEndsTheOldOneAtOnceAndDoesNotRenewIt) {
   leases.supersede(kNewer, 0.5);
   leases.hear(kNewer, 11, Progress::Running, kLease, 0.5);
   EXPECT_EQ(leases.endedAt(kPeer, 0.5), 0.5);
-  EXPECT_FALSE(leases.hear(kPeer, 99, Progress::Running, kLease, 0.6));
+  EXPECT_EQ(leases.endedAt(kPeer, 0.9), 0.5);
   EXPECT_TRUE(leases.isLiving(kNewer, 1));
+}
+
+TEST(Leases, AnOldIncarnationThatOutlivesTheNewOneMayBeHeardAgain) {
+  Leases leases;
+  leases.hear(kPeer, 10, Progress::Running, kLease, 0);
+  leases.supersede(kNewer, 0.5);
+  EXPECT_FALSE(leases.hear(kPeer, 10, Progress::Running, kLease, 5)) << "it must have advanced";
+  EXPECT_TRUE(leases.hear(kPeer, 11, Progress::Running, kLease, 5));
+  EXPECT_TRUE(leases.isLiving(kPeer, 6));
 }
 
 TEST(Leases, OneWhoIsOnlyNamedHasOneLeaseToShowItself) {
