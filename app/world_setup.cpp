@@ -14,9 +14,6 @@
 namespace wells {
 namespace {
 
-// The scatter keeps a grid of cells as wide as a ball over the whole arena.
-constexpr double kMaxRadiusRatio = 2000;
-
 bool stretchesStep(std::string_view engine) {
   return engine.starts_with("reference");
 }
@@ -31,12 +28,6 @@ void requireFits(const Config& config, double ballRadius, const std::string& wha
 
 void addScatteredBalls(World& world, const Config& config) {
   requireFits(config, config.ballRadius, "BallRadius");
-  if (config.arena.radius > kMaxRadiusRatio * config.ballRadius) {
-    throw UsageError(
-        fmt::format("BallRadius={}: too small to be spread over SurfaceRadius={} (m); "
-                    "allowed: at least SurfaceRadius/{}, or a BallsFile",
-                    config.ballRadius, config.arena.radius, kMaxRadiusRatio));
-  }
   try {
     scatterBalls(world, static_cast<std::size_t>(config.ballCount), config.ballRadius,
                  config.ballMass, config.seed);

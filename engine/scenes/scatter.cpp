@@ -21,10 +21,12 @@ constexpr double kLayerSpacing = 2.1;    // of the radius
 /// Finds out whether a disc is free by looking at the cells around it only.
 class DiscGrid {
  public:
+  // Cells are at least as wide as a disc, and no more than kMostCells a side.
   DiscGrid(double halfWidth, double diameter)
       : halfWidth_(halfWidth),
         diameter_(diameter),
-        side_(static_cast<std::size_t>(2 * halfWidth / diameter) + 1),
+        cellWidth_(std::max(diameter, 2 * halfWidth / kMostCells)),
+        side_(static_cast<std::size_t>(2 * halfWidth / cellWidth_) + 1),
         cells_(side_ * side_) {}
 
   bool placeIfFree(double x, double z) {
@@ -41,14 +43,16 @@ class DiscGrid {
   }
 
  private:
+  static constexpr double kMostCells = 1000;
   std::size_t cell(double coordinate) const {
-    return std::min(side_ - 1, static_cast<std::size_t>((coordinate + halfWidth_) / diameter_));
+    return std::min(side_ - 1, static_cast<std::size_t>((coordinate + halfWidth_) / cellWidth_));
   }
   struct Disc {
     double x, z;
   };
   double halfWidth_;
   double diameter_;
+  double cellWidth_;
   std::size_t side_;
   std::vector<std::vector<Disc>> cells_;
 };
@@ -62,7 +66,8 @@ void scatterBalls(World& world, std::size_t count, double radius, double mass, s
         fmt::format("a ball of radius {} m does not fit into an arena of radius {} m", radius,
                     world.arena.radius));
   const double discs = kCoveredFraction * (reach / radius) * (reach / radius);
-  const std::size_t perLayer = std::max<std::size_t>(1, static_cast<std::size_t>(discs));
+  const auto perLayer =
+      static_cast<std::size_t>(std::clamp(discs, 1.0, std::max(1.0, static_cast<double>(count))));
   Random random(seed);
   world.balls.reserve(world.balls.size() + count);
   for (std::size_t layer = 0, placed = 0; placed < count; ++layer) {
