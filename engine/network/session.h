@@ -116,6 +116,7 @@ class Session {
   void found(World& world, Times now);
   void enter(World& world, const Generation& generation, Times now);
   void followGroup(World& world, Times now);
+  bool knowsAllWells(const World& world, Times now) const;
   void activate(World& world, Times now);
   void fence(World& world, PeerId peer, Times now);
   void fenceAfterStall(World& world, Times now);

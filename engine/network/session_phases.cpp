@@ -71,7 +71,7 @@ void Session::synchronise(World& world, Times now) {
   }
   followGroup(world, now);
   forgetWells(world, now);
-  if (balls_.missing() == 0) {
+  if (balls_.missing() == 0 && knowsAllWells(world, now)) {
     activate(world, now);
   } else if (now.monotonic - lastActiveHeard_ > 2 * options_.lease) {
     note("everybody else is gone; goes on with " + std::to_string(records().size()) +
@@ -80,6 +80,12 @@ void Session::synchronise(World& world, Times now) {
     activate(world, now);
     balls_.adoptAll(world, self_, peers_.leases(), now.monotonic);
   }
+}
+
+bool Session::knowsAllWells(const World& world, Times now) const {
+  return std::ranges::all_of(peers_.livingActive(now.monotonic), [&](const Peer* other) {
+    return std::ranges::count(world.tracks, other->who.peer, &WellTrack::peer) > 0;
+  });
 }
 
 void Session::followGroup(World& world, Times now) {

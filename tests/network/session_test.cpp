@@ -58,6 +58,44 @@ TEST(Session, BallsFollowTheNearestWellAndAllViewsAgreeToTheBit) {
   group.expectEqualViews();
 }
 
+// Balls that meet nothing fly the same whoever owns them, and are predicted to the bit.
+TEST(Session, AHandoverInFreeFlightLeavesNoTrace) {
+  Group group(9);
+  for (int id = 1; id <= 2; ++id) {
+    SessionOptions options = testOptions(id);
+    options.well = restingWell({id == 1 ? -12.0 : 12.0, 20, 0}, 10);
+    TestPeer& peer = group.add(options);
+    peer.world.settings.gravity = Vec3::Zero();
+    for (std::size_t i = 0; i < 9; ++i) {
+      const double z = 7 * (static_cast<double>(i) - 4);
+      peer.world.balls.setState(i, {.position = {-15, 20, z}, .velocity = {5, 0, 0}});
+    }
+    peer.session.reset();
+    peer.session = std::make_unique<Session>(options, peer.world, *peer.transport);
+  }
+  ASSERT_TRUE(group.runUntil([&] { return group.allActive(); }, 10));
+  group.run(1);  // both wells act
+  World twin = group.peers()[0]->world;
+  twin.roles.clear();
+  const auto stepper = makeSimulation();
+  std::int64_t given = 0;
+  for (int i = 0; i < 300; ++i) {
+    group.tick();
+    for (const auto& peer : group.peers()) {
+      if (peer->world.step < twin.step) continue;
+      while (twin.step < peer->world.step) stepper->step(twin);
+      for (std::size_t b = 0; b < 9; ++b)
+        ASSERT_LE(length(peer->world.balls.position[b] - twin.balls.position[b]), 1e-9)
+            << "ball " << b << " at step " << twin.step;
+    }
+  }
+  for (const auto& peer : group.peers()) {
+    given += peer->session->counts().balls.handoversGiven;
+    EXPECT_LE(peer->session->viewDifference(), 1e-9);
+  }
+  EXPECT_GE(given, 9);
+}
+
 TEST(Session, AGroupAgreesOnEveryWellAtEveryStep) {
   Group group(25);
   for (int id = 1; id <= 3; ++id) group.add(testOptions(id));
