@@ -12,7 +12,7 @@
 namespace wells {
 
 /// Who computes a ball. A ghost is another peer's ball: it is predicted between its owner's states
-/// and takes part in contacts with owned balls.
+/// and takes part in contacts with owned balls. Ghosts that touch each other drift on.
 enum class Role : std::uint8_t { Owned, Ghost };
 
 struct World {

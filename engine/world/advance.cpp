@@ -30,8 +30,13 @@ void advance(const Settings& settings, const Arena& arena, const Field& field,
 
   const double h = settings.dt / settings.substeps;
   plan.velocityBefore.resize(balls.size());
-  for (int substep = 0; substep < settings.substeps && !plan.touching.empty(); ++substep) {
+  const bool anyInSubsteps = !plan.touching.empty() || !plan.drifting.empty();
+  for (int substep = 0; anyInSubsteps && substep < settings.substeps; ++substep) {
     for (const std::uint32_t i : plan.touching) plan.velocityBefore[i] = velocity[i];
+    for (const std::uint32_t i : plan.drifting) {
+      plan.velocityBefore[i] = velocity[i];
+      position[i] += velocity[i] * h;
+    }
     integrator.fly({&field, substep * h, h, settings.drag}, plan.touching, position, velocity);
     resolveContacts(settings, arena, h, {plan.ballContacts, plan.arenaContacts},
                     plan.velocityBefore.data(), balls);

@@ -18,6 +18,7 @@ struct StepPlan {
   std::vector<Contact> arenaContacts;   // by (a, b)
   std::vector<std::uint32_t> free;      // balls that can touch nothing in this step
   std::vector<std::uint32_t> touching;  // the others
+  std::vector<std::uint32_t> drifting;  // ghosts that move on at their velocity, whatever pulls
   std::vector<Vec3> velocityBefore;     // by ball, scratch
 };
 
@@ -30,7 +31,7 @@ double reachOf(const Field& field, const BallState& ball, double radius, double 
 bool mayTouchArena(const Arena& arena, const Vec3& position, double radius, double reach,
                    std::uint32_t partner);
 
-/// Advances all balls of the plan by settings.dt: the free ones in one flight, the touching ones in
+/// Advances all balls of the plan by settings.dt: the free ones in one flight, the others in
 /// substeps.
 void advance(const Settings& settings, const Arena& arena, const Field& field,
              const Integrator& integrator, StepPlan& plan, Balls& balls);

@@ -82,12 +82,19 @@ class Simulation : public Stepper {
     const Balls& balls = world.balls;
     plan_.ballContacts.clear();
     sortedPairs_.clear();
+    isLeaning_.assign(balls.size(), 0);
     for (const BallPair& pair : broadphase_.ballPairs()) {
-      // Nobody here answers for a contact between two other peers' balls.
-      if (!world.owns(pair.a) && !world.owns(pair.b)) continue;
-      const double bound =
-          balls.radius[pair.a] + balls.radius[pair.b] + reach_[pair.a] + reach_[pair.b];
-      if (squaredLength(balls.position[pair.b] - balls.position[pair.a]) > bound * bound) continue;
+      const double touching = balls.radius[pair.a] + balls.radius[pair.b];
+      const double squared = squaredLength(balls.position[pair.b] - balls.position[pair.a]);
+      // A contact between other peers' balls is theirs to compute. Here such balls only stop
+      // falling: what holds them is not known.
+      if (!world.owns(pair.a) && !world.owns(pair.b)) {
+        const double leaning = touching * (1 + kLeaningGap);
+        if (squared < leaning * leaning) isLeaning_[pair.a] = isLeaning_[pair.b] = 1;
+        continue;
+      }
+      const double bound = touching + reach_[pair.a] + reach_[pair.b];
+      if (squared > bound * bound) continue;
       sortedPairs_.push_back(std::uint64_t{pair.a} << 32 | pair.b);
     }
     // The broadphase's order depends on its history; ours must not.
@@ -125,11 +132,13 @@ class Simulation : public Stepper {
     for (const Contact& c : plan_.arenaContacts) isTouching_[c.a] = 1;
     plan_.free.clear();
     plan_.touching.clear();
+    plan_.drifting.clear();
     for (std::uint32_t i = 0; i < isTouching_.size(); ++i)
-      (isTouching_[i] ? plan_.touching : plan_.free).push_back(i);
+      (isLeaning_[i] ? plan_.drifting : isTouching_[i] ? plan_.touching : plan_.free).push_back(i);
   }
 
   static constexpr double kLateOverlap = 1e-6;  // of the sum of radii
+  static constexpr double kLeaningGap = 0.05;   // of the sum of radii
 
   Field field_;
   Broadphase broadphase_;
@@ -140,6 +149,7 @@ class Simulation : public Stepper {
   std::vector<double> reach_;  // m, by ball
   std::vector<std::uint64_t> sortedPairs_;
   std::vector<std::uint8_t> isTouching_;
+  std::vector<std::uint8_t> isLeaning_;  // ghosts that touch ghosts
   std::vector<Contact> oldBallContacts_;
   std::vector<Contact> oldArenaContacts_;
 };

@@ -111,6 +111,21 @@ TEST(Ghosts, TouchOwnedBallsOnly) {
   }
 }
 
+// Two ghosts on top of each other, under gravity: what holds the upper one is its owner's to know,
+// so both keep their velocity; alone, the upper one falls.
+TEST(Ghosts, ThatTouchEachOtherDrift) {
+  for (const double gap : {0.01, 3.0}) {
+    World world;
+    world.balls.add({.position = {0, 5, 0}, .velocity = {1, 0, 0}}, 0.5, 1);
+    world.balls.add({.position = {0, 6 + gap, 0}, .velocity = {1, 0, 0}}, 0.5, 1);
+    world.roles = {Role::Ghost, Role::Ghost};
+    const auto simulation = makeSimulation();
+    for (int i = 0; i < 6; ++i) simulation->step(world);
+    EXPECT_NEAR(world.balls.position[1].x(), 0.1, 1e-15);
+    EXPECT_NEAR(world.balls.velocity[1].y(), gap < 1 ? 0 : -0.981, 1e-15);
+  }
+}
+
 // A ball that touches no other is predicted with the owner's bits: in the air, bouncing, sliding,
 // rolling, at the wall, under a moving well.
 TEST(Prediction, HasTheBitsOfTheSimulation) {
