@@ -46,7 +46,7 @@ const std::vector<Row>& rows() {
       {"balls owned at the end", [](const Json& r) { return integer(r, "balls_owned"); }},
       {"balls handed over", [](const Json& r) { return integer(r, "handovers"); }},
       {"balls taken over", [](const Json& r) { return integer(r, "handovers_taken"); }},
-      {"energy at the start (J)",
+      {"energy on joining (J)",
        [](const Json& r) { return fmt::format("{:.1f}", r.at("energy_start_J").get<double>()); }},
       {"energy at the end (J)",
        [](const Json& r) { return fmt::format("{:.1f}", r.at("energy_end_J").get<double>()); }},
