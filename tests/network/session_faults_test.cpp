@@ -125,6 +125,49 @@ TEST(SessionFaults, APeerThatHearsButIsNotHeardDoesNoHarm) {
   group.expectEqualViews();
 }
 
+// Each half has adopted the other's balls when one stalls, unheard: its records are greater than
+// what the other publishes, and their owner, its former incarnation, will never speak again.
+TEST(SessionFaults, AStalledPeerWhoseRecordsNobodyElseKnowsComesBack) {
+  Group group(60);
+  for (int id = 1; id <= 2; ++id) group.add(testOptions(id));
+  group.run(10);
+  for (int a : {0, 1}) cut(group, a, 1 - a, MemoryLink::Cut);
+  group.run(2 * kLease);
+  TestPeer& stalled = *group.peers()[1];
+  EXPECT_EQ(stalled.owned(), 60u);
+  cut(group, 0, 1, MemoryLink::Up);
+  group.run(0.2);
+  stalled.isStalled = true;
+  cut(group, 1, 0, MemoryLink::Up);
+  group.run(1.5);
+  stalled.isStalled = false;
+  group.run(1);
+  EXPECT_EQ(stalled.session->counts().fences, 1);
+  EXPECT_TRUE(group.runUntil([&] { return group.allActive(); }, 3));
+  EXPECT_TRUE(group.runUntil([&] { return group.everyBallHasOneOwner(); }, 2 * kLease));
+  ASSERT_TRUE(group.settle(10));
+  group.expectEqualViews();
+}
+
+// Peer 1 offers balls to peer 2, who does not hear it; peer 3, whose well is far away, does.
+TEST(SessionFaults, AnOfferThatItsReceiverMissesIsPassedOnByWhoHeardIt) {
+  Group group(60);
+  for (int id = 1; id <= 3; ++id) {
+    SessionOptions options = testOptions(id);
+    if (id == 3) options.well = restingWell({0, 0.5, 1000}, 0);
+    group.add(options);
+  }
+  ASSERT_TRUE(group.runUntil([&] { return group.allActive(); }, 10));
+  group.run(5);
+  ASSERT_EQ(group.peers()[2]->owned(), 0u);
+  cut(group, 0, 1, MemoryLink::Cut);
+  const Session& receiver = *group.peers()[1]->session;
+  const std::int64_t before = receiver.counts().balls.handoversTaken;
+  group.run(1.8);  // within the lease
+  EXPECT_GT(receiver.counts().balls.handoversTaken, before);
+  for (const auto& peer : group.peers()) EXPECT_EQ(peer->session->counts().balls.adoptions, 0);
+}
+
 TEST(SessionFaults, TwoSessionsThatMeetBecomeTheOneThatWasFoundedEarlier) {
   Group group(60);
   for (int id = 1; id <= 2; ++id) group.add(testOptions(id));
@@ -403,6 +446,27 @@ TEST_F(Forger, HasNoSayBeforeItIsActive) {
   recorder_.send(heartbeat);
   group_.tick();
   expectRefused(state(stranger_, victim().generation(), 0, 1), Drop::NotActive);
+}
+
+TEST_F(Forger, CannotMakeAPeerAcceptWhatIsOfferedToAnotherIncarnationOfIt) {
+  const Version& version = victim().records()[0].version;
+  gravity_wells::offers_t m;
+  m.header = header(group_.peers()[1]->session->self(), victim().generation());
+  m.receiver = value(victim().peer());
+  m.receiver_incarnation = victim().self().number ^ 1;
+  m.step = group_.peers()[0]->world.step;
+  m.count = 1;
+  m.balls = {goodBall(0)};
+  m.balls[0].term = version.term;
+  m.balls[0].epoch = version.epoch + 1;
+  m.balls[0].adopter = value(version.adopter.peer);
+  m.balls[0].adopter_incarnation = version.adopter.number;
+  recorder_.send(m);
+  group_.tick();
+  EXPECT_EQ(group_.peers()[0]->world.roles[0], Role::Ghost);
+  EXPECT_FALSE(owns(victim().records()[0], victim().self()));
+  // That one does not exist, so somebody adopts the ball.
+  EXPECT_TRUE(group_.runUntil([&] { return group_.everyBallHasOneOwner(); }, 2 * kLease));
 }
 
 /// WELLS_SOAK=<n>: so many times the seeds.

@@ -116,6 +116,28 @@ TEST(Session, AGroupAgreesOnEveryWellAtEveryStep) {
   }
 }
 
+TEST(Session, TheViewDifferenceIsHowFarABallWasShownFromItsOwnersState) {
+  Group group(25);
+  for (int id = 1; id <= 2; ++id) {
+    SessionOptions options = testOptions(id);
+    options.well = restingWell({id == 1 ? -12.0 : 12.0, 0.5, 0}, 0);
+    group.add(options);
+  }
+  group.run(30);  // until all balls are at rest
+  // The one that is ahead: what comes to the other early is applied in time, and shown.
+  const auto& peers = group.peers();
+  TestPeer& peer = *peers[peers[0]->world.step >= peers[1]->world.step ? 0 : 1];
+  const auto ghost = static_cast<std::size_t>(std::ranges::find(peer.world.roles, Role::Ghost) -
+                                              peer.world.roles.begin());
+  ASSERT_LT(ghost, group.balls());
+  EXPECT_LT(peer.session->recentViewDifference(group.timesOf(peer)), 1e-9);
+  peer.world.balls.position[ghost].x() += 0.25;
+  const bool isFound = group.runUntil(
+      [&] { return peer.session->recentViewDifference(group.timesOf(peer)) > 0.1; }, 1.1);
+  EXPECT_TRUE(isFound);
+  EXPECT_LE(peer.session->recentViewDifference(group.timesOf(peer)), 0.25 + 1e-9);
+}
+
 TEST(Session, KeepsFixedWellsAndForgetsOldKeyframes) {
   World world = testWorld(3);
   world.tracks = {{.keyframes = {{0, Vec3{1, 2, 3}, 5}}, .softening = 2, .peer = PeerId{9}}};
@@ -224,6 +246,16 @@ TEST(Session, TheLaterOfTwoEqualIdsTakesTheLowestFreeOne) {
   group.run(2);
   ASSERT_TRUE(group.settle(5));
   group.expectEqualViews();
+}
+
+TEST(Session, OfTwoJoinersWithOneIdTheFirstToStartKeepsIt) {
+  Group group(25);
+  TestPeer& first = group.add(testOptions(1));
+  group.run(1);
+  TestPeer& second = group.add(testOptions(1, 1));
+  ASSERT_TRUE(group.runUntil([&] { return group.allActive(); }, 15));
+  EXPECT_EQ(first.session->peer(), PeerId{1});
+  EXPECT_EQ(second.session->peer(), PeerId{2});
 }
 
 TEST(Session, AWholeLabWithOneTemplateFindsIdsForAll) {
