@@ -27,6 +27,9 @@ namespace fs = std::filesystem;
 // between them sweeps over the arena and balls change hands.
 constexpr const char* kWellPaths[] = {"circle,20,40", "circle,14,-30"};
 
+// Two peers draw and encode without a GPU, on as few as two cores.
+constexpr const char* kGraphicsRate = "20";  // Hz
+
 struct DemoOptions {
   fs::path config = "config/template.txt";
   fs::path out = "out/demo";
@@ -94,6 +97,8 @@ std::vector<std::string> peerArguments(const DemoOptions& options, const LcmUrl&
                                         kWellPaths[id - 1],
                                         "--duration",
                                         formatNumber(options.duration),
+                                        "--GraphicsRate",
+                                        kGraphicsRate,
                                         "--lcm-url",
                                         url.text(),
                                         "--video",

@@ -79,6 +79,7 @@ int runPeer(const PeerOptions& options) {
     report.framesRepeated = counts.repeated;
   }
   writeOutputs(options, report);
+  if (!options.quiet) fmt::print("{}", reportAsText(report));
   return 0;
 }
 

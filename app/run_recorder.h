@@ -41,7 +41,7 @@ class RunRecorder {
   RunReport& report() { return report_; }
 
  private:
-  bool measures() const { return !options_.report.empty(); }
+  bool measures() const { return !options_.report.empty() || !options_.quiet; }
   void sample(const World& world);
 
   const PeerOptions& options_;

@@ -1,5 +1,8 @@
 #include "run_report.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <nlohmann/json.hpp>
 
 namespace wells {
@@ -68,6 +71,23 @@ std::string reportAsJson(const RunReport& r) {
       {"frames_repeated", r.framesRepeated},
   };
   return json.dump(2) + "\n";
+}
+
+std::string reportAsText(const RunReport& r) {
+  std::string text = fmt::format(
+      "step {}, {:.2f} s of simulated time, in {:.2f} s ({}, {}, {})\n"
+      "energy {:.6g} J, then {:.6g} J; worst overlap {:.3g} m; {} of {} balls escaped; state {}\n",
+      r.steps, r.simulatedTime, r.wallTime, r.engine, r.integrator, r.contacts, r.energyStart,
+      r.energyEnd, r.maxOverlap, r.escaped, r.balls.size(), r.stateHash);
+  if (r.peers.empty() || r.transport == "none") return text;
+  return text +
+         fmt::format(
+             "peer {} owns {} balls; it handed over {}, took over {}, adopted {}; living peers: "
+             "{}\n"
+             "messages: {} sent, {} received, {} dropped; largest prediction error {:.3g} m\n",
+             r.peer, r.ballsOwned, r.handoversGiven, r.handoversTaken, r.adoptions,
+             fmt::join(r.peers, ", "), r.messagesSent, r.messagesReceived, r.messagesDropped,
+             r.viewDifference);
 }
 
 }  // namespace wells

@@ -65,4 +65,7 @@ struct RunReport {
 /// Pretty-printed, with a last line end.
 std::string reportAsJson(const RunReport& report);
 
+/// What a person wants to know at the end of a run: a few lines.
+std::string reportAsText(const RunReport& report);
+
 }  // namespace wells

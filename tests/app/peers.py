@@ -11,6 +11,13 @@ SOURCE = pathlib.Path(__file__).resolve().parents[2]
 CONFIG = SOURCE / "config"
 
 
+def require_own_network():
+    """Ends the program where a peer could reach the machine's real network."""
+    routes = pathlib.Path("/proc/net/route").read_text().splitlines()[1:]
+    if any(route.split()[0] != "lo" for route in routes):
+        sys.exit("refused: start this through tests/in_namespace.sh, in a network of its own")
+
+
 def run(*arguments, timeout=120, **options):
     """Runs the program to its end."""
     return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True,

@@ -10,7 +10,7 @@ import tempfile
 import time
 import unittest
 
-from peers import CONFIG, PROGRAM, run
+from peers import CONFIG, PROGRAM, require_own_network, run
 
 
 class Program(unittest.TestCase):
@@ -139,4 +139,5 @@ class Program(unittest.TestCase):
 
 
 if __name__ == "__main__":
+    require_own_network()
     unittest.main(verbosity=2)

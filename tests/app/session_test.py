@@ -8,7 +8,7 @@ import tempfile
 import time
 import unittest
 
-from peers import CONFIG, Peer, end_all, largest_difference, run
+from peers import CONFIG, Peer, end_all, largest_difference, require_own_network, run
 
 BALLS = 200
 LEASE = 2.0  # s
@@ -141,4 +141,5 @@ class Demonstration(unittest.TestCase):
 
 
 if __name__ == "__main__":
+    require_own_network()
     unittest.main(verbosity=2)
