@@ -64,7 +64,7 @@ class Bench(unittest.TestCase):
                 (("--balls", 0), "--balls 0: out of range; allowed: a whole number 1 to"),
                 (("--balls", 4, "--scene", "billiard"), "scene 'billiard' has 3 balls"),
                 (("--dt", 2), "--dt 2"),
-                (("--integrator", "magic"), "allowed: symplectic-euler, leapfrog, rk4"),
+                (("--integrator", "magic"), "allowed: symplectic-euler, leapfrog, heun, rk4, pefrl"),
                 (("--steps", "many"), "--steps many")):
             with self.subTest(arguments=arguments):
                 done = run("bench", *arguments)

@@ -70,7 +70,9 @@ TEST_P(EachIntegrator, DragHasItsOrder) {
   std::vector<std::pair<double, double>> errors;
   for (int n = 8; n <= 64; n *= 2) {
     const Point end = fly(method(), {}, {{0, 0, 0}, {3, 0, 0}}, 1.0 / n, n, d);
-    EXPECT_NEAR(end.v.x(), 3 * d, method().order == 4 ? 1e-4 : 1e-14);
+    // Drag is exact in velocity where it is split off, and a force where it is not.
+    const bool isSplit = method().name != "heun" && method().name != "rk4";
+    EXPECT_NEAR(end.v.x(), 3 * d, isSplit ? 1e-14 : 1e-2);
     errors.emplace_back(1.0 / n, std::abs(end.x.x() - exact));
   }
   EXPECT_NEAR(fittedOrder(errors), method().order, 0.15);
