@@ -477,7 +477,7 @@ std::uint64_t soak() {
 
 // All that can happen, at random, to a group of three to five; then it heals and must agree.
 TEST(SessionFaults, RandomFaultsNeverBreakAPromise) {
-  for (std::uint64_t seed = 1; seed <= 12 * soak(); ++seed) {
+  for (std::uint64_t seed = 1; seed <= 8 * soak(); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     Group group(40, seed,
