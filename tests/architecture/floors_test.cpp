@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <regex>
 #include <string>
 #include <vector>
 
@@ -21,13 +21,17 @@ const std::map<std::string, int> kFloors = {
 
 const fs::path kEngine = fs::path(SOURCE_DIR) / "engine";
 
+// By hand: GCC 12 warns, wrongly, inside <regex> when the sanitizers are on.
 std::vector<std::string> includesOf(const fs::path& file) {
-  static const std::regex kInclude("^\\s*#\\s*include\\s*\"([^\"]+)\"");
+  const std::string kInclude = "#include\"";
   std::vector<std::string> found;
   std::ifstream in(file);
-  std::smatch match;
-  for (std::string line; std::getline(in, line);)
-    if (std::regex_search(line, match, kInclude)) found.push_back(match[1]);
+  for (std::string line; std::getline(in, line);) {
+    std::erase_if(line, [](unsigned char c) { return std::isspace(c) != 0; });
+    if (!line.starts_with(kInclude)) continue;
+    const std::string rest = line.substr(kInclude.size());
+    found.push_back(rest.substr(0, rest.find('"')));
+  }
   return found;
 }
 
