@@ -75,6 +75,11 @@ bool parseDemoOptions(std::span<const std::string> arguments, DemoOptions& optio
 fs::path madeFolder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
+  if (error)
+    throw UsageError(
+        fmt::format("--out {}: cannot be made: {}; allowed: a writable folder, or one "
+                    "that can be made",
+                    folder.string(), error.message()));
   requireFolder("--out", folder);
   return folder;
 }

@@ -47,8 +47,8 @@ int run(int argc, char** argv) {
     fmt::print("{}", kUsage);
     return 0;
   }
-  throw UsageError(fmt::format("{}: no such command; allowed: peer, demo, bench, keys, help",
-                               command.empty() ? "\"\"" : command));
+  throw UsageError(fmt::format("{}; allowed: peer, demo, bench, keys, help",
+                               command.empty() ? "no command" : command + ": no such command"));
 }
 
 }  // namespace

@@ -33,8 +33,9 @@ std::unique_ptr<Pictures> openPictures(const PeerOptions& options) {
 RunReport waitFor(std::future<RunReport>& run, const ProgressLine& line,
                   const RunProgress& progress) {
   constexpr std::chrono::milliseconds kInterval{250};
-  const auto start = std::chrono::steady_clock::now();
+  auto start = std::chrono::steady_clock::now();
   while (run.wait_for(kInterval) != std::future_status::ready) {
+    if (!progress.joined) start = std::chrono::steady_clock::now();
     const auto passed = std::chrono::steady_clock::now() - start;
     line.show(progress, std::chrono::duration<double>(passed).count());
   }
@@ -50,7 +51,7 @@ void writeOutputs(const PeerOptions& options, const RunReport& report) {
 
 int runPeer(const PeerOptions& options) {
   const auto notice = [&](const std::string& text) {
-    if (!options.quiet && !text.empty()) fmt::print(stderr, "{}\n", text);
+    if (!options.quiet && !text.empty()) printNotice(text);
   };
   for (const std::string& text : options.notices) notice(text);
   PeerSetup setup(options);

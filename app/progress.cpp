@@ -6,10 +6,20 @@
 #include <cstdio>
 
 namespace wells {
+namespace {
 
-std::string progressText(const RunGoal& goal, std::int64_t step, double wallTime) {
+constexpr const char* kClearLine = "\r\033[K";
+
+bool isOnTerminal() {
+  return ::isatty(STDERR_FILENO) != 0;
+}
+
+}  // namespace
+
+std::string progressText(const RunGoal& goal, std::int64_t firstStep, std::int64_t step,
+                         double wallTime) {
   const double done = static_cast<double>(step);
-  const double rate = wallTime > 0 ? done / wallTime : 0;
+  const double rate = wallTime > 0 ? static_cast<double>(step - firstStep) / wallTime : 0;
   if (!goal.hasEnd)
     return fmt::format("t = {:.2f} s, {:.0f} steps/s; Ctrl-C ends", done * goal.dt, rate);
   const double all = static_cast<double>(goal.steps);
@@ -20,18 +30,23 @@ std::string progressText(const RunGoal& goal, std::int64_t step, double wallTime
 }
 
 ProgressLine::ProgressLine(const RunGoal& goal, Shown shown)
-    : goal_(goal), shown_(shown == Shown::Yes && ::isatty(STDERR_FILENO) != 0) {}
+    : goal_(goal), shown_(shown == Shown::Yes && isOnTerminal()) {}
 
 ProgressLine::~ProgressLine() {
-  if (shown_) fmt::print(stderr, "\r\033[K");
+  if (shown_) fmt::print(stderr, "{}", kClearLine);
 }
 
 void ProgressLine::show(const RunProgress& progress, double wallTime) const {
   if (!shown_) return;
-  const std::string text =
-      progress.joined ? progressText(goal_, progress.step, wallTime) : "listening for other peers";
-  fmt::print(stderr, "\r\033[K{}", text);
+  const std::string text = progress.joined
+                               ? progressText(goal_, progress.firstStep, progress.step, wallTime)
+                               : "listening for other peers";
+  fmt::print(stderr, "{}{}", kClearLine, text);
   std::fflush(stderr);
+}
+
+void printNotice(const std::string& text) {
+  fmt::print(stderr, "{}{}\n", isOnTerminal() ? kClearLine : "", text);
 }
 
 }  // namespace wells

@@ -9,6 +9,7 @@
 namespace wells {
 
 struct RunProgress {
+  std::atomic<std::int64_t> firstStep = 0;  // of this run; a session may be older
   std::atomic<std::int64_t> step = 0;
   std::atomic<bool> joined = true;  // false: waits to be part of the session
 };
@@ -32,7 +33,7 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// `wallTime` in s since the start of the run.
+  /// `wallTime` in s since the first step of the run.
   void show(const RunProgress& progress, double wallTime) const;
 
  private:
@@ -40,7 +41,11 @@ class ProgressLine {
   bool shown_;
 };
 
-/// "t = 3.20 of 10.00 s, 61 steps/s, 7 s left"
-std::string progressText(const RunGoal& goal, std::int64_t step, double wallTime);
+/// "t = 3.20 of 10.00 s, 61 steps/s, 7 s left". The steps since `firstStep` took `wallTime` s.
+std::string progressText(const RunGoal& goal, std::int64_t firstStep, std::int64_t step,
+                         double wallTime);
+
+/// A line of its own on stderr, where the line of progress may stand.
+void printNotice(const std::string& text);
 
 }  // namespace wells

@@ -64,8 +64,8 @@ class SessionRun {
 
   void begin() {
     begun_ = true;
-    progress_.joined = true;
     recorder_.begin(setup_.world);
+    progress_.joined = true;
   }
 
   // The run's results are those of the moment at which every ball has its owner's last state. The

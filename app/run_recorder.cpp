@@ -14,6 +14,7 @@ RunRecorder::RunRecorder(const PeerOptions& options, Pictures* pictures, RunProg
 
 void RunRecorder::begin(const World& world) {
   report_.dt = world.settings.dt;
+  progress_.firstStep = progress_.step = world.step;
   if (measures()) report_.energyStart = measure(world).energy();
   sample(world);
 }

@@ -20,14 +20,20 @@ fs::path parentOf(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
+// Of what cannot be looked at, nothing is known but that it is no folder for us.
+bool isFolder(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored);
+}
+
 bool isWritableFolder(const fs::path& folder) {
-  return fs::is_directory(folder) && ::access(folder.c_str(), W_OK) == 0;
+  return isFolder(folder) && ::access(folder.c_str(), W_OK) == 0;
 }
 
 }  // namespace
 
 std::vector<std::string> readLines(const fs::path& file) {
-  if (fs::is_directory(file))
+  if (isFolder(file))
     throw UsageError(fmt::format("{}: is a folder; allowed: a text file", file.string()));
   std::ifstream in(file, std::ios::binary);
   if (!in) {
@@ -59,7 +65,7 @@ void writeAtomically(const fs::path& file, std::string_view text) {
 }
 
 void requireWritable(std::string_view option, const fs::path& file) {
-  if (isWritableFolder(parentOf(file)) && !fs::is_directory(file) && file.has_filename()) return;
+  if (isWritableFolder(parentOf(file)) && !isFolder(file) && file.has_filename()) return;
   throw UsageError(
       fmt::format("{} {}: cannot be written; allowed: a file in a folder that exists "
                   "and is writable",
@@ -67,7 +73,8 @@ void requireWritable(std::string_view option, const fs::path& file) {
 }
 
 void requireFolder(std::string_view option, const fs::path& folder) {
-  const bool canBeMade = !fs::exists(folder) && isWritableFolder(parentOf(folder));
+  std::error_code ignored;
+  const bool canBeMade = !fs::exists(folder, ignored) && isWritableFolder(parentOf(folder));
   if (isWritableFolder(folder) || canBeMade) return;
   throw UsageError(
       fmt::format("{} {}: cannot be written; allowed: a writable folder, or a new one "

@@ -130,7 +130,8 @@ void VideoWriter::write(const Image& image) {
 
 void VideoWriter::close() {
   if (pipe_ < 0) return;
-  if (finish() != 0) fail();
+  // ffmpeg's exit status is 0 even when the disk was full, but it does not keep silent about that.
+  if (finish() != 0 || !whatItSaid().empty()) fail();
 }
 
 int VideoWriter::finish() {
@@ -144,11 +145,16 @@ int VideoWriter::finish() {
   return status;
 }
 
-void VideoWriter::fail() {
+std::string VideoWriter::whatItSaid() {
   std::string text(2000, '\0');
   std::rewind(messages_.get());
   text.resize(std::fread(text.data(), 1, text.size(), messages_.get()));
   while (!text.empty() && text.back() == '\n') text.pop_back();
+  return text;
+}
+
+void VideoWriter::fail() {
+  const std::string text = whatItSaid();
   throw videoError(path_, text.empty() ? "ffmpeg has ended" : "ffmpeg says: " + text);
 }
 

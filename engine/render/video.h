@@ -36,6 +36,7 @@ class VideoWriter {
   };
 
   int finish();
+  std::string whatItSaid();
   [[noreturn]] void fail();
 
   std::filesystem::path path_;

@@ -100,6 +100,7 @@ TEST(BallFile, RefusesBadTables) {
 TEST(TextFile, LeavesTheOldFileWhenItCannotWrite) {
   EXPECT_THROW(writeAtomically("/proc/absent/file", "x"), RunError);
   EXPECT_THROW(requireWritable("--report", "/proc/absent/file"), UsageError);
+  EXPECT_THROW(requireFolder("--frames", "/proc/absent/folder"), UsageError);
 }
 
 TEST(WellMotion, CircleKeepsItsRadiusPeriodAndStart) {

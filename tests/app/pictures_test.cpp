@@ -94,10 +94,15 @@ TEST(Pictures, PassOnWhatTheThreadFailedWith) {
 
 TEST(Progress, TellsTheTimeLeft) {
   const RunGoal goal{.steps = 600, .dt = 1.0 / 60, .hasEnd = true};
-  EXPECT_EQ(progressText(goal, 150, 3), "t = 2.50 of 10.00 s, 50 steps/s, 9 s left");
-  EXPECT_EQ(progressText(goal, 0, 0), "t = 0.00 of 10.00 s, 0 steps/s");
-  EXPECT_EQ(progressText({.steps = 0, .dt = 0.5, .hasEnd = false}, 10, 2),
+  EXPECT_EQ(progressText(goal, 0, 150, 3), "t = 2.50 of 10.00 s, 50 steps/s, 9 s left");
+  EXPECT_EQ(progressText(goal, 0, 0, 0), "t = 0.00 of 10.00 s, 0 steps/s");
+  EXPECT_EQ(progressText({.steps = 0, .dt = 0.5, .hasEnd = false}, 0, 10, 2),
             "t = 5.00 s, 5 steps/s; Ctrl-C ends");
+}
+
+TEST(Progress, OfALateJoinerCountsItsOwnSteps) {
+  const RunGoal goal{.steps = 600, .dt = 1.0 / 60, .hasEnd = true};
+  EXPECT_EQ(progressText(goal, 300, 450, 3), "t = 7.50 of 10.00 s, 50 steps/s, 3 s left");
 }
 
 }  // namespace

@@ -3,7 +3,10 @@
 """
 
 import json
+import os
 import pathlib
+import pty
+import resource
 import signal
 import subprocess
 import tempfile
@@ -11,6 +14,12 @@ import time
 import unittest
 
 from peers import CONFIG, PROGRAM, require_own_network, run
+
+
+def limit_file_size():
+    """Files of this process end after 1000 bytes: as on a full disk, writing fails."""
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))
 
 
 class Program(unittest.TestCase):
@@ -130,12 +139,43 @@ class Program(unittest.TestCase):
         self.assertEqual(refused.returncode, 1)
         self.assertIn("--require-lcm", refused.stderr)
 
+    def test_a_folder_that_cannot_be_made_is_refused(self):
+        for arguments in (("demo", "--out", "/proc/absent"),
+                          ("peer", "--solo", "--steps", 1, "--frames", "/proc/absent/frames"),
+                          ("peer", "--solo", "--steps", 1, "--report", "/proc/absent/report.json")):
+            with self.subTest(arguments=arguments):
+                done = run(*arguments)
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertRegex(done.stderr, r"--\w+ /proc/absent.*; allowed: ")
+
+    def test_a_full_disk_is_a_failure(self):
+        for option, name in (("--state-out", "a.csv"), ("--video", "a.mp4"), ("--last-frame", "a.png")):
+            with self.subTest(option=option):
+                done = subprocess.run(
+                    [PROGRAM, "peer", "--solo", "--quiet", "--steps", "60", option, self.folder / name],
+                    capture_output=True, text=True, timeout=60, preexec_fn=limit_file_size)
+                self.assertEqual(done.returncode, 1, done.stderr)
+                self.assertIn(name, done.stderr)
+
+    def test_notices_and_progress_share_the_terminal(self):
+        terminal, its_end = pty.openpty()
+        self.addCleanup(os.close, terminal)
+        done = subprocess.run([PROGRAM, "peer", "--duration", "0.1"], stderr=its_end,
+                              stdout=subprocess.DEVNULL, timeout=60)
+        os.close(its_end)
+        self.assertEqual(done.returncode, 0)
+        said = os.read(terminal, 65536).decode()
+        self.assertIn("\r\x1b[Kpeer 1: heard nobody and founded a session\r\n", said)
+        self.assertTrue(said.endswith("\r\x1b[K"), said)
+
     def test_help_names_every_option_with_unit_and_default(self):
         text = " ".join(run("peer", "--help").stdout.split())  # without line breaks
         for words in ("--SurfaceRadius VALUE", "above 0 to 1e6, in m. Default: 40 --",
                       "--PeerID,--peer-id VALUE", "--state-out FILE", "bullet. Default: ours --"):
             self.assertIn(words, text)
         self.assertEqual(run("no-such-command").returncode, 2)
+        self.assertEqual(run().stderr,
+                         "gravity-wells: no command; allowed: peer, demo, bench, keys, help\n")
 
 
 if __name__ == "__main__":

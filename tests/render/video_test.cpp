@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <stdlib.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -18,6 +19,14 @@ namespace {
 Image plain(int width, int height, std::uint8_t grey) {
   Image image = makeImage(width, height);
   std::fill(image.rgb.begin(), image.rgb.end(), grey);
+  return image;
+}
+
+/// Compresses badly, so that a few of them fill some kilobytes.
+Image striped(int width, int height, int phase) {
+  Image image = makeImage(width, height);
+  for (std::size_t i = 0; i < image.rgb.size(); ++i)
+    image.rgb[i] = static_cast<std::uint8_t>((i * i) >> (phase % 8));
   return image;
 }
 
@@ -83,6 +92,25 @@ TEST(Video, ReportsWhatFfmpegSaysAndSurvivesItsDeath) {
   });
   EXPECT_NE(message.find(path.string()), std::string::npos) << message;
   EXPECT_NE(message.find("No such file"), std::string::npos) << message;
+}
+
+// A limit on the size of files stands for a full disk: ffmpeg cannot complete the video, and yet
+// its exit status is 0.
+TEST(Video, ReportsAnIncompleteFile) {
+  const TemporaryFolder folder;
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{1000, before.rlim_max};  // bytes
+  setrlimit(RLIMIT_FSIZE, &small);
+  const std::string message = messageOf([&] {
+    VideoWriter limited(folder / "limited.mp4", 640, 480, 30);
+    for (int i = 0; i < 10; ++i) limited.write(striped(640, 480, i));
+    limited.close();
+  });
+  setrlimit(RLIMIT_FSIZE, &before);
+  signal(SIGXFSZ, SIG_DFL);
+  EXPECT_NE(message.find("limited.mp4: ffmpeg says: "), std::string::npos) << message;
 }
 
 TEST(Video, SaysWhenThereIsNoFfmpeg) {
