@@ -8,6 +8,13 @@
 
 namespace wells {
 
+/// How contacts are resolved.
+///   Substep  all by sequential impulses at the end of substeps; first order through impacts
+///   Exact    impacts at their own times within the step, in the integrator's order; islands in
+///   which
+///            a contact lasts are left to the substeps
+enum class ContactMethod { Substep, Exact };
+
 struct Settings {
   // Physics.
   double dt = 1.0 / 60;              // s, > 0; one step
@@ -18,8 +25,9 @@ struct Settings {
 
   // Method.
   std::string integrator = "leapfrog";  // a name of flight/integrators.h
-  int substeps = 4;                     // of a ball that may touch something, >= 1
-  int iterations = 4;                   // solver passes a substep, >= 1
+  ContactMethod contactMethod = ContactMethod::Exact;
+  int substeps = 4;    // of a ball that may touch something, >= 1
+  int iterations = 4;  // solver passes a substep, >= 1
 };
 
 }  // namespace wells

@@ -14,6 +14,8 @@ namespace wells {
 struct StepCounts {
   std::int64_t candidatePairs = 0;  // pairs whose boxes overlap, ground and wall included
   std::int64_t contacts = 0;        // contacts given to the solver (gap small or negative)
+  std::int64_t impacts = 0;         // resolved at their own time within the step
+  std::int64_t exactBalls = 0;      // balls whose contacts were all such impacts
   std::int64_t latePairs = 0;       // overlaps that the broadphase had not announced; must be 0
 };
 

@@ -15,6 +15,13 @@ double reachOf(const Field& field, const BallState& ball, double radius, double 
   return (speed + length(acceleration(field, ball.position, 0)) * dt) * dt + kReachMargin * radius;
 }
 
+bool isBeyondReach(const Vec3& start, const BallState& now, double dt, double& reach) {
+  const double moved = length(now.position - start);
+  if (!(moved > reach)) return false;  // what is not finite has no reach
+  reach = 2 * (moved + length(now.velocity) * dt);
+  return true;
+}
+
 bool mayTouchArena(const Arena& arena, const Vec3& position, double radius, double reach,
                    std::uint32_t partner) {
   const double gap =

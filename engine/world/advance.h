@@ -27,6 +27,10 @@ struct StepPlan {
 /// may touch when their gap is at most the sum of their reaches.
 double reachOf(const Field& field, const BallState& ball, double radius, double dt);
 
+/// True when a ball that stood at `start` (m) and now has `now` went further than `reach`, which is
+/// then enlarged to at least twice its size.
+bool isBeyondReach(const Vec3& start, const BallState& now, double dt, double& reach);
+
 /// True when ball `i` may touch the partner (kGround or kWall) of the arena in this step.
 bool mayTouchArena(const Arena& arena, const Vec3& position, double radius, double reach,
                    std::uint32_t partner);

@@ -1,23 +1,58 @@
 #include "world/prediction.h"
 
 #include "world/advance.h"
+#include "world/exact_flight.h"
 
 namespace wells {
 namespace {
 
-/// One ball, alone with ground and wall.
-void advanceAlone(const World& world, const Field& field, const Integrator& integrator,
-                  StepPlan& plan, Balls& ball) {
-  plan.arenaContacts.clear();
-  plan.free.clear();
-  plan.touching.clear();
-  const double reach = reachOf(field, ball.state(0), ball.radius[0], world.settings.dt);
-  for (const std::uint32_t partner : {kWall, kGround})
-    if (mayTouchArena(world.arena, ball.position[0], ball.radius[0], reach, partner))
-      plan.arenaContacts.push_back({.a = 0, .b = partner});
-  (plan.arenaContacts.empty() ? plan.free : plan.touching).push_back(0);
-  advance(world.settings, world.arena, field, integrator, plan, ball);
-}
+constexpr std::uint32_t kBall = 0;
+
+/// One ball, alone with ground and wall; as Simulation does it.
+class LoneBall {
+ public:
+  explicit LoneBall(const World& world)
+      : world_(world), integrator_(findIntegrator(world.settings.integrator)) {}
+
+  void step(const Field& field, Balls& ball) {
+    const BallState start = ball.state(kBall);
+    reach_ = reachOf(field, start, ball.radius[kBall], world_.settings.dt);
+    while (!attempt(field, ball)) ball.setState(kBall, start);
+  }
+
+ private:
+  /// False: the reach was too short and has been enlarged.
+  bool attempt(const Field& field, Balls& ball) {
+    const Vec3 start = ball.position[kBall];
+    findContacts(ball);
+    if (world_.settings.contactMethod == ContactMethod::Exact && !plan_.arenaContacts.empty()) {
+      const StepInput input{
+          world_.settings, world_.arena, {&field, &integrator_, world_.settings.drag}};
+      const IslandFate fate =
+          exact_.run(input, {&kBall, 1}, plan_.arenaContacts, {&reach_, 1}, ball);
+      if (fate != IslandFate::Sustained) return fate == IslandFate::Done;
+    }
+    plan_.free.clear();
+    plan_.touching.clear();
+    (plan_.arenaContacts.empty() ? plan_.free : plan_.touching).push_back(kBall);
+    advance(world_.settings, world_.arena, field, integrator_, plan_, ball);
+    return !isBeyondReach(start, ball.state(kBall), world_.settings.dt, reach_);
+  }
+
+  void findContacts(const Balls& ball) {
+    plan_.arenaContacts.clear();
+    // In order of the partner's number, as the simulation has them.
+    for (const std::uint32_t partner : {kWall, kGround})
+      if (mayTouchArena(world_.arena, ball.position[kBall], ball.radius[kBall], reach_, partner))
+        plan_.arenaContacts.push_back({.a = kBall, .b = partner});
+  }
+
+  const World& world_;
+  const Integrator& integrator_;
+  StepPlan plan_;
+  ExactFlight exact_;
+  double reach_ = 0;  // m
+};
 
 }  // namespace
 
@@ -25,12 +60,11 @@ BallState predict(const World& world, std::size_t ball, const BallState& state, 
                   std::int64_t to) {
   Balls alone;
   alone.add(state, world.balls.radius[ball], world.balls.mass[ball]);
-  const Integrator& integrator = findIntegrator(world.settings.integrator);
-  StepPlan plan;
+  LoneBall lone(world);
   Field field;
   for (std::int64_t step = from; step < to; ++step) {
     updateField(world, step, field);
-    advanceAlone(world, field, integrator, plan, alone);
+    lone.step(field, alone);
   }
   return alone.state(0);
 }

@@ -4,6 +4,8 @@
 
 #include "broadphase/broadphase.h"
 #include "world/advance.h"
+#include "world/exact_flight.h"
+#include "world/islands.h"
 
 namespace wells {
 namespace {
@@ -34,22 +36,44 @@ class Simulation : public Stepper {
  public:
   std::string name() const override { return "ours"; }
   std::string integrator() const override { return integrator_; }
-  std::string contactMethod() const override { return "substep"; }
+  std::string contactMethod() const override {
+    return method_ == ContactMethod::Exact ? "exact" : "substep";
+  }
   StepCounts counts() const override { return counts_; }
 
   void step(World& world) override {
-    updateField(world, world.step, field_);
     const Integrator& integrator = findIntegrator(world.settings.integrator);
+    updateField(world, world.step, field_);
     findReaches(world);
-    broadphase_.update(world, reach_);
-    planContacts(world);
-    planFlights(world);
-    advance(world.settings, world.arena, field_, integrator, plan_, world.balls);
+    std::swap(plan_.ballContacts, oldBallContacts_);
+    std::swap(plan_.arenaContacts, oldArenaContacts_);
+    start_ = world.balls;
+    // A ball that is thrown beyond its reach may have missed a pair: the step starts over with a
+    // larger one. Reaches at least double each time, so that ends.
+    while (!attempt(world, integrator)) world.balls = start_;
     ++world.step;
+    stepped_ = true;
     integrator_ = integrator.name;
+    method_ = world.settings.contactMethod;
   }
 
  private:
+  /// One step with the present reaches. False: one was too short and has been enlarged.
+  bool attempt(World& world, const Integrator& integrator) {
+    counts_ = {};
+    planContacts(world);
+    isDone_.assign(world.balls.size(), 0);
+    if (world.settings.contactMethod == ContactMethod::Exact) {
+      const StepInput input{
+          world.settings, world.arena, {&field_, &integrator, world.settings.drag}};
+      if (!flyThroughImpacts(input, world.balls)) return false;
+    }
+    startFromOldImpulses(world);
+    planFlights(world);
+    advance(world.settings, world.arena, field_, integrator, plan_, world.balls);
+    return enlargeReaches(world) == 0;
+  }
+
   void findReaches(const World& world) {
     const Balls& balls = world.balls;
     reach_.resize(balls.size());
@@ -57,12 +81,46 @@ class Simulation : public Stepper {
       reach_[i] = reachOf(field_, balls.state(i), balls.radius[i], world.settings.dt);
   }
 
+  /// All islands in which nothing but impacts happens. False: a reach was too short and has been
+  /// enlarged.
+  bool flyThroughImpacts(const StepInput& input, Balls& balls) {
+    islands_.find(plan_.ballContacts, plan_.arenaContacts, balls.size());
+    for (std::size_t n = 0; n < islands_.count(); ++n) {
+      const auto island = islands_.balls(n);
+      if (std::any_of(island.begin(), island.end(), [&](auto i) { return isLeaning_[i] != 0; }))
+        continue;
+      const IslandFate fate = exact_.run(input, island, islands_.pairs(n), reach_, balls);
+      if (fate == IslandFate::TooFar) return false;
+      if (fate != IslandFate::Done) continue;
+      for (const std::uint32_t i : island) isDone_[i] = 1;
+      counts_.impacts += exact_.counts().impacts;
+      counts_.exactBalls += static_cast<std::int64_t>(island.size());
+    }
+    const auto isDone = [&](const Contact& c) { return isDone_[c.a] != 0; };
+    std::erase_if(plan_.ballContacts, isDone);
+    std::erase_if(plan_.arenaContacts, isDone);
+    return true;
+  }
+
+  /// How many balls went further than their reach; theirs are enlarged.
+  std::size_t enlargeReaches(const World& world) {
+    const Balls& balls = world.balls;
+    std::size_t enlarged = 0;
+    for (std::size_t i = 0; i < balls.size(); ++i)
+      if (isBeyondReach(start_.position[i], balls.state(i), world.settings.dt, reach_[i]))
+        ++enlarged;
+    return enlarged;
+  }
+
   void planContacts(const World& world) {
-    std::swap(plan_.ballContacts, oldBallContacts_);
-    std::swap(plan_.arenaContacts, oldArenaContacts_);
+    broadphase_.update(world, reach_);
     collectBallContacts(world);
     collectArenaContacts(world);
-    counts_.latePairs = 0;
+    counts_.contacts =
+        static_cast<std::int64_t>(plan_.ballContacts.size() + plan_.arenaContacts.size());
+  }
+
+  void startFromOldImpulses(const World& world) {
     warmStartFrom(oldBallContacts_, plan_.ballContacts, [&](const Contact& c) {
       // Already deep in overlap and never announced: the broadphase, or our bound on how far a
       // ball moves, has missed it. Other peers' balls jump when their states arrive.
@@ -73,9 +131,6 @@ class Simulation : public Stepper {
         ++counts_.latePairs;
     });
     warmStartFrom(oldArenaContacts_, plan_.arenaContacts, [](const Contact&) {});
-    counts_.contacts =
-        static_cast<std::int64_t>(plan_.ballContacts.size() + plan_.arenaContacts.size());
-    stepped_ = true;
   }
 
   void collectBallContacts(const World& world) {
@@ -133,8 +188,11 @@ class Simulation : public Stepper {
     plan_.free.clear();
     plan_.touching.clear();
     plan_.drifting.clear();
-    for (std::uint32_t i = 0; i < isTouching_.size(); ++i)
-      (isLeaning_[i] ? plan_.drifting : isTouching_[i] ? plan_.touching : plan_.free).push_back(i);
+    for (std::uint32_t i = 0; i < isTouching_.size(); ++i) {
+      if (isDone_[i]) continue;
+      auto& list = isLeaning_[i] ? plan_.drifting : isTouching_[i] ? plan_.touching : plan_.free;
+      list.push_back(i);
+    }
   }
 
   static constexpr double kLateOverlap = 1e-6;  // of the sum of radii
@@ -142,12 +200,17 @@ class Simulation : public Stepper {
 
   Field field_;
   Broadphase broadphase_;
+  Islands islands_;
+  ExactFlight exact_;
+  Balls start_;  // at the start of the step
   StepPlan plan_;
   StepCounts counts_;
   std::string integrator_;
+  ContactMethod method_ = ContactMethod::Substep;
   bool stepped_ = false;
   std::vector<double> reach_;  // m, by ball
   std::vector<std::uint64_t> sortedPairs_;
+  std::vector<std::uint8_t> isDone_;  // flown through their impacts
   std::vector<std::uint8_t> isTouching_;
   std::vector<std::uint8_t> isLeaning_;  // ghosts that touch ghosts
   std::vector<Contact> oldBallContacts_;

@@ -1,0 +1,68 @@
+#include "world/islands.h"
+
+#include <numeric>
+
+namespace wells {
+namespace {
+
+constexpr std::uint32_t kNone = 0xffffffff;
+
+}  // namespace
+
+std::uint32_t Islands::root(std::uint32_t ball) {
+  while (parent_[ball] != ball) {
+    parent_[ball] = parent_[parent_[ball]];
+    ball = parent_[ball];
+  }
+  return ball;
+}
+
+void Islands::find(std::span<const Contact> ballContacts, std::span<const Contact> arenaContacts,
+                   std::size_t ballCount) {
+  parent_.resize(ballCount);
+  std::iota(parent_.begin(), parent_.end(), 0u);
+  isPaired_.assign(ballCount, 0);
+  for (const Contact& c : arenaContacts) isPaired_[c.a] = 1;
+  for (const Contact& c : ballContacts) {
+    isPaired_[c.a] = isPaired_[c.b] = 1;
+    const std::uint32_t a = root(c.a);
+    const std::uint32_t b = root(c.b);
+    // The lower id is the root, so that islands come in order of their lowest ball.
+    if (a < b)
+      parent_[b] = a;
+    else
+      parent_[a] = b;
+  }
+
+  // Number the islands and count, then fill: two passes over balls and pairs.
+  islandOf_.assign(ballCount, kNone);
+  ballStart_.assign(1, 0);
+  for (std::uint32_t i = 0; i < ballCount; ++i) {
+    if (!isPaired_[i]) continue;
+    const std::uint32_t r = root(i);
+    if (r == i) {
+      islandOf_[i] = static_cast<std::uint32_t>(ballStart_.size() - 1);
+      ballStart_.push_back(0);
+    } else {
+      islandOf_[i] = islandOf_[r];
+    }
+    ++ballStart_[islandOf_[i] + 1];
+  }
+  pairStart_.assign(ballStart_.size(), 0);
+  for (const auto& list : {ballContacts, arenaContacts})
+    for (const Contact& c : list) ++pairStart_[islandOf_[c.a] + 1];
+  std::partial_sum(ballStart_.begin(), ballStart_.end(), ballStart_.begin());
+  std::partial_sum(pairStart_.begin(), pairStart_.end(), pairStart_.begin());
+
+  balls_.resize(ballStart_.back());
+  pairs_.resize(pairStart_.back());
+  std::vector<std::uint32_t>& next = parent_;  // no longer needed: reused as fill positions
+  next.assign(ballStart_.begin(), ballStart_.end() - 1);
+  for (std::uint32_t i = 0; i < ballCount; ++i)
+    if (islandOf_[i] != kNone) balls_[next[islandOf_[i]]++] = i;
+  next.assign(pairStart_.begin(), pairStart_.end() - 1);
+  for (const auto& list : {ballContacts, arenaContacts})
+    for (const Contact& c : list) pairs_[next[islandOf_[c.a]]++] = c;
+}
+
+}  // namespace wells

@@ -1,0 +1,44 @@
+// Islands: groups of balls that hang together by pairs that may meet within the step. What happens
+// in one does not depend on another.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "contacts/contact.h"
+
+namespace wells {
+
+class Islands {
+ public:
+  /// Splits by the pairs. Both lists are in order of (a, b); ballCount is that of the world. A ball
+  /// in no pair is in no island.
+  void find(std::span<const Contact> ballContacts, std::span<const Contact> arenaContacts,
+            std::size_t ballCount);
+
+  std::size_t count() const { return ballStart_.empty() ? 0 : ballStart_.size() - 1; }
+
+  /// Rising ids. Islands are in order of their lowest ball.
+  std::span<const std::uint32_t> balls(std::size_t island) const {
+    return std::span(balls_).subspan(ballStart_[island],
+                                     ballStart_[island + 1] - ballStart_[island]);
+  }
+
+  /// Those between balls first, then those with the arena, each in the order of the lists.
+  std::span<const Contact> pairs(std::size_t island) const {
+    return std::span(pairs_).subspan(pairStart_[island],
+                                     pairStart_[island + 1] - pairStart_[island]);
+  }
+
+ private:
+  std::uint32_t root(std::uint32_t ball);
+
+  std::vector<std::uint32_t> parent_;  // by ball, union-find
+  std::vector<std::uint32_t> islandOf_;
+  std::vector<std::uint8_t> isPaired_;
+  std::vector<std::uint32_t> balls_, ballStart_, pairStart_;
+  std::vector<Contact> pairs_;
+};
+
+}  // namespace wells
