@@ -14,7 +14,7 @@ namespace {
 
 // Gaps up to this (m), times the size of the coordinates, belong to the same instant as an impact
 // of one of their balls.
-constexpr double kTouchingGap = 1e-13;
+constexpr double kTouchingGap = 1e-14;
 constexpr double kMostOverlap = 1e-9;  // of the radius
 
 bool isBall(std::uint32_t partner) {
