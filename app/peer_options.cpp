@@ -111,7 +111,7 @@ void addRunOptions(CLI::App& app, PeerOptions& options, RunLength& length, fs::p
            parseOption("--threads", value, "a whole number 1 to 256",
                        [&] { options.threads = parseInteger(value, 1, 256); });
          },
-         "of the simulation, which uses one so far; the result has the same bits for any number")
+         "of the simulation, whose step uses one; the result has the same bits for any number")
       ->type_name("COUNT")
       ->default_str("1")
       ->group(group);
