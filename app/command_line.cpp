@@ -52,8 +52,8 @@ class HelpFormatter : public CLI::Formatter {
 [[noreturn]] void refuseUnknown(const CLI::App& app, const std::string& argument) {
   const std::string name = argument.substr(0, argument.find('='));
   const std::string nearest = nearestWord(name, optionNames(app));
-  throw UsageError(fmt::format("{}: no such option{}; allowed: those of \"{} --help\"", argument,
-                               nearest.empty() ? "" : "; did you mean " + nearest + "?",
+  throw UsageError(fmt::format("{}: no such option;{} allowed: those of \"{} --help\"", argument,
+                               nearest.empty() ? "" : " did you mean " + nearest + "?",
                                app.get_name()));
 }
 

@@ -26,8 +26,8 @@ void requireEngine(std::string_view name) {
   const auto names = engineNames();
   if (std::find(names.begin(), names.end(), name) != names.end()) return;
   const std::string nearest = nearestWord(name, names);
-  throw UsageError(fmt::format("--engine {}: no such engine{}; allowed: {}", name,
-                               nearest.empty() ? "" : "; did you mean " + nearest + "?",
+  throw UsageError(fmt::format("--engine {}: no such engine;{} allowed: {}", name,
+                               nearest.empty() ? "" : " did you mean " + nearest + "?",
                                joined(names, ", ")));
 }
 
