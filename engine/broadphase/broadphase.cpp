@@ -35,8 +35,22 @@ btVector3 toBullet(const Vec3& v) {
 struct Broadphase::Bullet {
   btDbvtBroadphase broadphase;
   std::vector<btBroadphaseProxy*> proxies;  // by ball; null: not finite, in no pair
-  std::vector<double> radius;               // m, as built
+  std::vector<btBroadphaseProxy*> arenaProxies;
+  std::vector<double> radius;  // m, as built
   Arena arena;
+
+  Bullet() = default;
+  Bullet(const Bullet&) = delete;
+  Bullet& operator=(const Bullet&) = delete;
+
+  // Bullet leaves proxies to whoever created them. The pairs go first, because each proxy would
+  // search all of them for its own.
+  ~Bullet() {
+    broadphase.getOverlappingPairCache()->getOverlappingPairArray().clear();
+    for (auto* const proxy : arenaProxies) broadphase.destroyProxy(proxy, nullptr);
+    for (auto* const proxy : proxies)
+      if (proxy) broadphase.destroyProxy(proxy, nullptr);
+  }
 
   btBroadphaseProxy* add(const Vec3& low, const Vec3& high, std::intptr_t partner) {
     // Ground and wall (group 2) pair with balls (group 1) only.
@@ -48,8 +62,8 @@ struct Broadphase::Bullet {
 
   void addArena() {
     const Vec3 c = arena.center;
-    add({c.x() - kFarAway, c.y() - kFarAway, c.z() - kFarAway},
-        {c.x() + kFarAway, c.y(), c.z() + kFarAway}, kGroundProxy);
+    arenaProxies.push_back(add({c.x() - kFarAway, c.y() - kFarAway, c.z() - kFarAway},
+                               {c.x() + kFarAway, c.y(), c.z() + kFarAway}, kGroundProxy));
     // Each piece covers everything beyond the wall in its sector as well, so that a ball cannot
     // pass it by in one step.
     const double inner = arena.radius;
@@ -67,7 +81,7 @@ struct Broadphase::Bullet {
           high.z() = std::max(high.z(), r * edge.sin);
         }
       // Multiples of a quarter turn are edges of pieces, so the corners bound the arc itself.
-      add(c + low, c + high, kWallProxy);
+      arenaProxies.push_back(add(c + low, c + high, kWallProxy));
     }
   }
 };
