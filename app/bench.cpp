@@ -1,6 +1,7 @@
 #include "bench.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <chrono>
 #include <filesystem>
@@ -28,6 +29,7 @@ struct BenchOptions {
   std::string scene = "T1";
   std::string engine = "ours";
   std::string integrator;       // empty: the scene's
+  std::string contacts;         // empty: the scene's
   std::int64_t balls = 0;       // 0: the scene's default
   std::int64_t steps = 0;       // 0: the scene's default
   std::int64_t substeps = 0;    // 0: the scene's
@@ -75,6 +77,14 @@ void addOptions(CLI::App& app, BenchOptions& options) {
           [](std::string_view name) { requireEngine(name); });
   addName(app, "--integrator", options.integrator, "of ours (default: the scene's)",
           [](std::string_view name) { findIntegrator(name); });
+  addName(app, "--contacts", options.contacts,
+          fmt::format("contact method of ours: {} (default: the scene's)",
+                      fmt::join(kContactMethodNames, ", ")),
+          [](std::string_view name) {
+            if (!contactMethod(name))
+              throw std::invalid_argument(fmt::format("no such contact method; allowed: {}",
+                                                      fmt::join(kContactMethodNames, ", ")));
+          });
   addInteger(app, "--balls", options.balls, 1, kMostBalls, "default: the scene's");
   addInteger(app, "--steps", options.steps, 1, kMostSteps, "default: the scene's");
   addInteger(app, "--substeps", options.substeps, 1, 1000, "of ours (default: the scene's)");
@@ -138,6 +148,7 @@ World sceneWorld(const BenchOptions& options) {
   Settings& settings = world.settings;
   if (options.dt > 0) settings.dt = options.dt;
   if (!options.integrator.empty()) settings.integrator = options.integrator;
+  if (const auto method = contactMethod(options.contacts)) settings.contactMethod = *method;
   if (options.substeps > 0) settings.substeps = static_cast<int>(options.substeps);
   if (options.iterations > 0) settings.iterations = static_cast<int>(options.iterations);
   return world;

@@ -59,7 +59,7 @@ std::vector<Key> makeKeys() {
   addGroup(
       table, "Method (the same for all peers of a session)", Scope::World,
       {numberKey("Dt", "s", WELLS_FIELD(settings.dt), Range::between(1e-6, 1), "length of a step"),
-       integratorKey(),
+       integratorKey(), contactMethodKey(),
        integerKey("Substeps", WELLS_FIELD(settings.substeps), 1, 1000,
                   "substeps of a step, where balls may touch something"),
        integerKey("Iterations", WELLS_FIELD(settings.iterations), 1, 10'000,

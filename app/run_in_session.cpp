@@ -79,6 +79,10 @@ class SessionRun {
     report.settled = session_.isSettled(world);
     report.peer = value(session_.peer());
     report.ballsOwned = ballsOwnedHere();
+    const auto counts = session_.counts().balls;
+    report.handoversGiven = counts.handoversGiven;
+    report.handoversTaken = counts.handoversTaken;
+    report.adoptions = counts.adoptions;
     for (const auto& [peer, balls] : session_.ballsOwned())
       report.owners[value(peer)] = static_cast<std::int64_t>(balls);
     for (const PeerId peer : session_.livingPeers(readClocks()))
@@ -150,9 +154,6 @@ class SessionRun {
     report.transport = link_.transport->description();
     report.generation = fmt::format("{}-{}-{:016x}", generation.resets, generation.foundedUs,
                                     static_cast<std::uint64_t>(generation.nonce));
-    report.handoversGiven = counts.balls.handoversGiven;
-    report.handoversTaken = counts.balls.handoversTaken;
-    report.adoptions = counts.balls.adoptions;
     report.viewDifference = session_.viewDifference();
     report.messagesSent = sent.messagesSent;
     report.messagesReceived = counts.accepted;

@@ -1,6 +1,7 @@
 #include "special_keys.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -149,6 +150,23 @@ Key integratorKey() {
                 c.settings.integrator = name;
               },
           .get = [](const Config& c) { return std::vector{c.settings.integrator}; }};
+}
+
+Key contactMethodKey() {
+  return {.name = "ContactMethod",
+          .allowed = fmt::format("{}", fmt::join(kContactMethodNames, ", ")),
+          .help =
+              "exact: impacts at their own times within the step, lasting contacts by substeps; "
+              "substep: all contacts by substeps",
+          .set =
+              [](Config& c, std::string_view v, const fs::path&) {
+                const auto method = contactMethod(trimmed(v));
+                if (!method) throw BadValue("no such contact method");
+                c.settings.contactMethod = *method;
+              },
+          .get = [](const Config& c) -> std::vector<std::string> {
+            return {std::string(name(c.settings.contactMethod))};
+          }};
 }
 
 Key hostIpKey() {

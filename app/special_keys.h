@@ -16,6 +16,7 @@ Key ballsFileKey();
 Key wellKey();
 Key wellPathKey();
 Key integratorKey();
+Key contactMethodKey();
 Key hostIpKey();
 
 }  // namespace wells

@@ -25,8 +25,8 @@ BallState stateAt(const FlightModel& model, const Trajectory& path, double t);
 
 /// Bound (m/s^2) on the acceleration by wells and drag of a ball that now has `position` and
 /// `velocity`, during the next `duration` seconds; gravity is not in it. Rigorous for the true
-/// flight: a well of strength S and softening e pulls at most 2 S / (3 sqrt(3) e^2) and changes by at
-/// most S / e^3 per metre. Exactly 0 without wells and drag.
+/// flight: a well of strength S and softening e pulls at most 2 S / (3 sqrt(3) e^2) and changes by
+/// at most S / e^3 per metre. Exactly 0 without wells and drag.
 double accelerationBound(const FlightModel& model, const BallState& ball, double t,
                          double duration);
 

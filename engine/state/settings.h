@@ -2,7 +2,11 @@
 // all peers of a session.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "math/vector.h"
 
@@ -14,6 +18,19 @@ namespace wells {
 ///   which
 ///            a contact lasts are left to the substeps
 enum class ContactMethod { Substep, Exact };
+
+inline constexpr std::array<std::string_view, 2> kContactMethodNames = {"substep", "exact"};
+
+constexpr std::string_view name(ContactMethod method) {
+  return kContactMethodNames.at(static_cast<std::size_t>(method));
+}
+
+/// Nothing where there is no such method.
+constexpr std::optional<ContactMethod> contactMethod(std::string_view name) {
+  for (std::size_t i = 0; i < kContactMethodNames.size(); ++i)
+    if (kContactMethodNames.at(i) == name) return static_cast<ContactMethod>(i);
+  return std::nullopt;
+}
 
 struct Settings {
   // Physics.

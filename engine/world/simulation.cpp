@@ -36,9 +36,7 @@ class Simulation : public Stepper {
  public:
   std::string name() const override { return "ours"; }
   std::string integrator() const override { return integrator_; }
-  std::string contactMethod() const override {
-    return method_ == ContactMethod::Exact ? "exact" : "substep";
-  }
+  std::string contactMethod() const override { return std::string(wells::name(method_)); }
   StepCounts counts() const override { return counts_; }
 
   void step(World& world) override {

@@ -124,6 +124,7 @@ TEST(ConfigFile, RefusesEveryBadValue) {
       {"Dt=0", "out of range"},
       {"Dt=2", "out of range"},
       {"Integrator=magic", "no such integrator"},
+      {"ContactMethod=magic", "no such contact method"},
       {"Substeps=0", "out of range"},
       {"Iterations=0", "out of range"},
       {"PeerID=0", "out of range"},

@@ -6,7 +6,7 @@ set -euo pipefail
 
 tools=$1 every_type=$2 python=$3 lcm_gen=$4 types=$5
 folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
+trap 'kill $(jobs -p) 2>/dev/null || true; rm -rf "$folder"' EXIT
 export LCM_DEFAULT_URL="udpm://239.255.76.67:9231?ttl=0"
 
 "$tools/lcm-logger" --quiet "$folder/log" &
