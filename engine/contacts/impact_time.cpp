@@ -64,7 +64,8 @@ Encounter encounterWithGround(const FlightModel& model, const Arena& arena, cons
   const double gravity = std::abs(model.field->gravity.y());
   const auto gapAt = [&](double t, double end) -> GapNow {
     const BallState now = stateAt(model, ball, t);
-    return {groundGap(arena, now.position, radius), -now.velocity.y(),
+    return {groundGap(arena, now.position, radius),
+            withoutNoise(-now.velocity.y(), length(now.velocity)),
             gravity + accelerationBound(model, now, t, end - t)};
   };
   const double size = std::abs(arena.center.y()) + std::abs(ball.state.position.y()) + radius;
@@ -82,7 +83,8 @@ Encounter encounterWithWall(const FlightModel& model, const Arena& arena, const 
     const double fastest = horizontal(now.velocity) + pull * (end - t);
     // (R^2 - rho^2)'' = -2 (v^2 + p.a)
     return {reach * reach - p.x() * p.x() - p.z() * p.z(),
-            2 * (p.x() * now.velocity.x() + p.z() * now.velocity.z()),
+            2 * withoutNoise(p.x() * now.velocity.x() + p.z() * now.velocity.z(),
+                             reach * length(now.velocity)),
             2 * (fastest * fastest + reach * pull)};
   };
   const double size = horizontal(arena.center) + arena.radius;

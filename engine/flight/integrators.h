@@ -24,6 +24,8 @@ struct Integrator {
   std::string_view about;
   int order;        // of the global error, without drag
   int evaluations;  // of the field for one ball and flight
+  bool isDense;     // in a flight of any duration velocity is the rate of position, to its order;
+                    // what finding impact times within a step asks for
   void (*fly)(const Flight&, std::span<const std::uint32_t> balls, Vec3* position, Vec3* velocity);
 };
 

@@ -121,7 +121,9 @@ IslandFate ExactFlight::simulate(const StepInput& in, std::span<const Contact> p
     gatherCluster(in, pairs, event, balls);
     if (in.settings.elasticity < 1 && isTooSlow(in, event.time, balls))
       return IslandFate::Sustained;
-    counts_.impacts += resolveImpacts(in.settings, cluster_, balls);
+    const std::int64_t impulses = resolveImpacts(in.settings, cluster_, balls);
+    if (impulses == 0) return IslandFate::Sustained;  // it touches and does not close: it lasts
+    counts_.impacts += impulses;
     if (cluster_.size() > 1) ++counts_.clusters;
     if (budgetAfter(counts_.impacts, in.settings.elasticity) == Budget::Sustained)
       return IslandFate::Sustained;

@@ -27,6 +27,12 @@ enum class IslandFate : std::uint8_t {
   TooFar      // a ball left its reach, so pairs may be missing: enlarge it and start again
 };
 
+/// True when islands are taken through their impacts: the method is asked for and the integrator
+/// has dense output.
+inline bool usesExactImpacts(const Settings& settings, const Integrator& integrator) {
+  return settings.contactMethod == ContactMethod::Exact && integrator.isDense;
+}
+
 struct ExactCounts {
   std::int64_t impacts = 0;   // contacts that got an impulse, once for each reflection
   std::int64_t clusters = 0;  // instants at which several of them hung together

@@ -25,7 +25,7 @@ class LoneBall {
   bool attempt(const Field& field, Balls& ball) {
     const Vec3 start = ball.position[kBall];
     findContacts(ball);
-    if (world_.settings.contactMethod == ContactMethod::Exact && !plan_.arenaContacts.empty()) {
+    if (usesExactImpacts(world_.settings, integrator_) && !plan_.arenaContacts.empty()) {
       const StepInput input{
           world_.settings, world_.arena, {&field, &integrator_, world_.settings.drag}};
       const IslandFate fate =

@@ -61,7 +61,7 @@ class Simulation : public Stepper {
     counts_ = {};
     planContacts(world);
     isDone_.assign(world.balls.size(), 0);
-    if (world.settings.contactMethod == ContactMethod::Exact) {
+    if (usesExactImpacts(world.settings, integrator)) {
       const StepInput input{
           world.settings, world.arena, {&field_, &integrator, world.settings.drag}};
       if (!flyThroughImpacts(input, world.balls)) return false;
