@@ -23,6 +23,8 @@ std::string progressText(const RunGoal& goal, std::int64_t firstStep, std::int64
   if (!goal.hasEnd)
     return fmt::format("t = {:.2f} s, {:.0f} steps/s; Ctrl-C ends", done * goal.dt, rate);
   const double all = static_cast<double>(goal.steps);
+  if (done >= all)
+    return fmt::format("t = {:.2f} of {:.2f} s, finishing", done * goal.dt, all * goal.dt);
   const std::string left =
       rate > 0 ? fmt::format(", {:.0f} s left", (all - done) / rate) : std::string();
   return fmt::format("t = {:.2f} of {:.2f} s, {:.0f} steps/s{}", done * goal.dt, all * goal.dt,

@@ -96,6 +96,7 @@ TEST(Progress, TellsTheTimeLeft) {
   const RunGoal goal{.steps = 600, .dt = 1.0 / 60, .hasEnd = true};
   EXPECT_EQ(progressText(goal, 0, 150, 3), "t = 2.50 of 10.00 s, 50 steps/s, 9 s left");
   EXPECT_EQ(progressText(goal, 0, 0, 0), "t = 0.00 of 10.00 s, 0 steps/s");
+  EXPECT_EQ(progressText(goal, 0, 600, 12), "t = 10.00 of 10.00 s, finishing");
   EXPECT_EQ(progressText({.steps = 0, .dt = 0.5, .hasEnd = false}, 0, 10, 2),
             "t = 5.00 s, 5 steps/s; Ctrl-C ends");
 }
