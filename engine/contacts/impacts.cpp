@@ -6,8 +6,8 @@
 namespace wells {
 namespace {
 
-constexpr double kNoise = 1e-14;    // of the fastest ball: closing slower than that is rounding
-constexpr int kMostSweeps = 10000;  // of the projected Gauss-Seidel, which ends when it is exact
+constexpr double kNoise = 1e-14;   // of the fastest ball: closing slower than that is rounding
+constexpr int kMostSweeps = 1000;  // of the projected Gauss-Seidel, which ends when it is exact
 constexpr double kSpinFactor = 1 / kInertiaFactor;
 
 bool isBall(std::uint32_t partner) {

@@ -27,10 +27,15 @@ enum class IslandFate : std::uint8_t {
   TooFar      // a ball left its reach, so pairs may be missing: enlarge it and start again
 };
 
-/// True when islands are taken through their impacts: the method is asked for and the integrator
-/// has dense output.
-inline bool usesExactImpacts(const Settings& settings, const Integrator& integrator) {
-  return settings.contactMethod == ContactMethod::Exact && integrator.isDense;
+/// After so many attempts at a step with ever larger reaches all of it is left to the substeps: a
+/// heap that throws its balls further each time is not worth more.
+inline constexpr int kMostExactAttempts = 8;
+
+/// The method of the given attempt (from 1) at a step: what is asked for, but substeps where the
+/// integrator has no dense output and after kMostExactAttempts.
+inline ContactMethod methodOf(const Settings& settings, const Integrator& integrator, int attempt) {
+  return integrator.isDense && attempt <= kMostExactAttempts ? settings.contactMethod
+                                                             : ContactMethod::Substep;
 }
 
 struct ExactCounts {
@@ -38,22 +43,20 @@ struct ExactCounts {
   std::int64_t clusters = 0;  // instants at which several of them hung together
 };
 
-/// What is handed over to the solver of lasting contacts: inelastic impacts (e < 1) slower than
-/// what the pressing acceleration builds up in half a substep, whose bounces would be shorter than
-/// one; and what is left after so many inelastic impacts of one island in one step. Elastic impacts
-/// are never handed over.
+/// What is left to the solver of lasting contacts: inelastic impacts (e < 1) slower than what the
+/// pressing acceleration builds up in half a substep, whose bounces would be shorter than one; and
+/// islands with more impacts in one step than these. Elastic impacts are never too slow, and their
+/// limit is far above what physics asks for (Galperin's billiard at mass ratio 10^8 has 31,415 in
+/// all); it is met by elastic heaps that a strong well presses together.
 inline constexpr std::int64_t kMostInelasticImpacts = 1000;
-
-/// Elastic impacts of one island in one step after which the step gives up with an exception: far
-/// above what physics asks for (Galperin's billiard at mass ratio 10^8 has 31,415 in all).
-inline constexpr std::int64_t kMostElasticImpacts = 10'000'000;
+inline constexpr std::int64_t kMostElasticImpacts = 50'000;
 
 class ExactFlight {
  public:
   /// Advances the balls of an island, with all pairs that may meet in the step, by
   /// settings.dt. `balls` holds states at the start, and at the end of the step if Done; else
   /// it is unchanged. reach[i] (m) is how far ball i may move for `pairs` to be complete; where
-  /// TooFar is returned, it has been enlarged. Throws std::runtime_error after kMostElasticImpacts.
+  /// TooFar is returned, it has been enlarged.
   IslandFate run(const StepInput& in, std::span<const std::uint32_t> island,
                  std::span<const Contact> pairs, std::span<double> reach, Balls& balls);
 

@@ -17,15 +17,17 @@ class LoneBall {
   void step(const Field& field, Balls& ball) {
     const BallState start = ball.state(kBall);
     reach_ = reachOf(field, start, ball.radius[kBall], world_.settings.dt);
-    while (!attempt(field, ball)) ball.setState(kBall, start);
+    for (int attempts = 1; !attempt(field, ball, methodOf(world_.settings, integrator_, attempts));
+         ++attempts)
+      ball.setState(kBall, start);
   }
 
  private:
   /// False: the reach was too short and has been enlarged.
-  bool attempt(const Field& field, Balls& ball) {
+  bool attempt(const Field& field, Balls& ball, ContactMethod method) {
     const Vec3 start = ball.position[kBall];
     findContacts(ball);
-    if (usesExactImpacts(world_.settings, integrator_) && !plan_.arenaContacts.empty()) {
+    if (method == ContactMethod::Exact && !plan_.arenaContacts.empty()) {
       const StepInput input{
           world_.settings, world_.arena, {&field, &integrator_, world_.settings.drag}};
       const IslandFate fate =

@@ -48,7 +48,9 @@ class Simulation : public Stepper {
     start_ = world.balls;
     // A ball that is thrown beyond its reach may have missed a pair: the step starts over with a
     // larger one. Reaches at least double each time, so that ends.
-    while (!attempt(world, integrator)) world.balls = start_;
+    for (int attempts = 1;
+         !attempt(world, integrator, methodOf(world.settings, integrator, attempts)); ++attempts)
+      world.balls = start_;
     ++world.step;
     stepped_ = true;
     integrator_ = integrator.name;
@@ -57,11 +59,11 @@ class Simulation : public Stepper {
 
  private:
   /// One step with the present reaches. False: one was too short and has been enlarged.
-  bool attempt(World& world, const Integrator& integrator) {
+  bool attempt(World& world, const Integrator& integrator, ContactMethod method) {
     counts_ = {};
     planContacts(world);
     isDone_.assign(world.balls.size(), 0);
-    if (usesExactImpacts(world.settings, integrator)) {
+    if (method == ContactMethod::Exact) {
       const StepInput input{
           world.settings, world.arena, {&field_, &integrator, world.settings.drag}};
       if (!flyThroughImpacts(input, world.balls)) return false;
