@@ -49,8 +49,8 @@ std::vector<Key> makeKeys() {
                  "Coulomb's coefficient; in the reference engines the viscous factor of rolling"),
        numberKey("Gravity", "m/s^2", WELLS_FIELD(settings.gravity.y()), Range::between(-1e6, 1e6),
                  "vertical, up is positive; 0 for none"),
-       numberKey("Drag", "1/s", WELLS_FIELD(settings.drag), Range::above(0, 1),
-                 "what is left of a velocity after a second; 1 for no drag"),
+       numberKey("Drag", "", WELLS_FIELD(settings.drag), Range::above(0, 1),
+                 "factor by which drag changes a velocity in a second; 1 for no drag"),
        wellKey(),
        numberKey(
            "TimeScale", "", WELLS_FIELD(timeScale), Range::above(0, 1000),

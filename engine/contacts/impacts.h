@@ -9,6 +9,7 @@
 // round, with spin, contact by contact.
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "contacts/contact.h"

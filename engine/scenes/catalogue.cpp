@@ -47,7 +47,7 @@ const Scene& findScene(std::string_view name) {
 
 World makeScene(const Scene& scene, std::size_t balls, std::uint64_t seed) {
   if (scene.fixedBalls != 0 && balls != 0 && balls != scene.fixedBalls)
-    throw std::invalid_argument(fmt::format("scene '{}' has {} balls; {} were asked for",
+    throw std::invalid_argument(fmt::format("scene '{}' is made for {} ball(s); {} were asked for",
                                             scene.name, scene.fixedBalls, balls));
   return scene.make(balls != 0 ? balls : scene.defaultBalls, seed);
 }

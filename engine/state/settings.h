@@ -12,11 +12,9 @@
 
 namespace wells {
 
-/// How contacts are resolved.
-///   Substep  all by sequential impulses at the end of substeps; first order through impacts
-///   Exact    impacts at their own times within the step, in the integrator's order; islands in
-///   which
-///            a contact lasts are left to the substeps
+/// How contacts are resolved. Substep: all of them by sequential impulses at the end of substeps,
+/// of first order through impacts. Exact: impacts at their own times within the step, in the
+/// integrator's order; islands in which a contact lasts are left to the substeps.
 enum class ContactMethod { Substep, Exact };
 
 inline constexpr std::array<std::string_view, 2> kContactMethodNames = {"substep", "exact"};

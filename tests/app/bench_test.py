@@ -62,7 +62,7 @@ class Bench(unittest.TestCase):
                 (("--scene", "T9"), "--scene T9: scene 'T9' is unknown; allowed: T1, T2"),
                 (("--engine", "magic"), "--engine magic"),
                 (("--balls", 0), "--balls 0: out of range; allowed: a whole number 1 to"),
-                (("--balls", 4, "--scene", "billiard"), "scene 'billiard' has 3 balls"),
+                (("--balls", 4, "--scene", "billiard"), "scene 'billiard' is made for 3 ball(s)"),
                 (("--dt", 2), "--dt 2"),
                 (("--integrator", "magic"), "allowed: symplectic-euler, leapfrog, heun, rk4, pefrl"),
                 (("--steps", "many"), "--steps many")):
