@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,12 +13,16 @@
 
 namespace wells {
 
-/// How contacts are resolved. Substep: all of them by sequential impulses at the end of substeps,
-/// of first order through impacts. Exact: impacts at their own times within the step, in the
-/// integrator's order; islands in which a contact lasts are left to the substeps.
-enum class ContactMethod { Substep, Exact };
+/// How contacts are resolved.
+enum class ContactMethod {
+  Substep,  // all by sequential impulses at the end of substeps; first order through impacts
+  Exact,    // impacts at their own times within the step, one ball's rolling and sliding in reduced
+            // coordinates, in the integrator's order; islands in which several contacts last are
+            // left to the substeps
+  Auto      // Exact but for crowds, where it would buy nothing: by island and step
+};
 
-inline constexpr std::array<std::string_view, 2> kContactMethodNames = {"substep", "exact"};
+inline constexpr std::array<std::string_view, 3> kContactMethodNames = {"substep", "exact", "auto"};
 
 constexpr std::string_view name(ContactMethod method) {
   return kContactMethodNames.at(static_cast<std::size_t>(method));
@@ -39,10 +44,12 @@ struct Settings {
   double friction = 0.3;             // Coulomb's coefficient, >= 0
 
   // Method.
-  std::string integrator = "leapfrog";  // a name of flight/integrators.h
-  ContactMethod contactMethod = ContactMethod::Exact;
-  int substeps = 4;    // of a ball that may touch something, >= 1
-  int iterations = 4;  // solver passes a substep, >= 1
+  std::string integrator = "pefrl";  // a name of flight/integrators.h
+  ContactMethod contactMethod = ContactMethod::Auto;
+  int substeps = 4;                      // of a ball that may touch something, >= 1
+  int iterations = 4;                    // solver passes a substep, >= 1
+  std::int64_t mostImpacts = 1'000'000;  // elastic ones of an island in a step, >= 1; more stop
+                                         // the step (Exact) or are left to the substeps (Auto)
 };
 
 }  // namespace wells

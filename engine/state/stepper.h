@@ -4,8 +4,11 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
+#include <vector>
 
+#include "state/books.h"
 #include "state/world.h"
 
 namespace wells {
@@ -13,10 +16,32 @@ namespace wells {
 /// What an engine did in its last step.
 struct StepCounts {
   std::int64_t candidatePairs = 0;  // pairs whose boxes overlap, ground and wall included
-  std::int64_t contacts = 0;        // contacts given to the solver (gap small or negative)
-  std::int64_t impacts = 0;         // resolved at their own time within the step
-  std::int64_t exactBalls = 0;      // balls whose contacts were all such impacts
+  std::int64_t contacts = 0;        // contacts given to a solver (gap small or negative)
   std::int64_t latePairs = 0;       // overlaps that the broadphase had not announced; must be 0
+
+  // Which method moved the balls that could touch something.
+  std::int64_t exactBalls = 0;       // exact impacts, rolling and sliding
+  std::int64_t substepBalls = 0;     // sequential impulses over substeps
+  std::int64_t impacts = 0;          // impulses at their own time within the step
+  std::int64_t clusters = 0;         // instants at which several impacts hung together
+  std::int64_t handedOver = 0;       // islands that began as exact and were left to the substeps
+  std::int64_t flightStretches = 1;  // into which the flight of a step is divided (sharp wells)
+};
+
+/// What an engine remembers from one step to the next besides the World: with it, a run goes on
+/// with the same bits.
+struct StepperMemory {
+  /// Impulses to start from.
+  struct Contact {
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;  // a ball, or kGround or kWall of contacts/contact.h
+    bool impact = false;
+    double normalImpulse = 0;            // N s
+    Vec3 tangentImpulse = Vec3::Zero();  // N s
+  };
+  std::vector<Contact> ballContacts;     // by (a, b)
+  std::vector<Contact> arenaContacts;    // by (a, b)
+  std::vector<std::uint8_t> inSubsteps;  // by ball, 1: its island went by substeps
 };
 
 class Stepper {
@@ -32,11 +57,28 @@ class Stepper {
 
   /// Advances `world` by one step of world.settings.dt. The same world must be passed each time,
   /// but its balls' states, roles, tracks and settings may have been changed from outside in
-  /// between (another peer's states, a hand-over).
+  /// between (another peer's states, a hand-over). Throws std::runtime_error where it would have to
+  /// break a promise to go on (see Settings::mostImpacts); `world` is then as it was.
   virtual void step(World& world) = 0;
 
   /// Of the last step.
   virtual StepCounts counts() const { return {}; }
+
+  /// Balls whose state is not finite, at the end of the last step: they stay as they are, touch
+  /// nothing and are touched by nothing. Rising ids.
+  virtual std::span<const std::uint32_t> quarantined() const { return {}; }
+
+  /// From now on each step is booked. Costs time. False: this engine cannot.
+  virtual bool openBooks() { return false; }
+
+  /// Null before openBooks().
+  virtual const Books* books() const { return nullptr; }
+
+  /// Null: this engine keeps what cannot be saved.
+  virtual const StepperMemory* memory() const { return nullptr; }
+
+  /// Goes on from `memory`, which belongs to the world that the next step is given.
+  virtual void restore(const StepperMemory&) {}
 };
 
 }  // namespace wells

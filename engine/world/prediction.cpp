@@ -27,7 +27,7 @@ class LoneBall {
   bool attempt(const Field& field, Balls& ball, ContactMethod method) {
     const Vec3 start = ball.position[kBall];
     findContacts(ball);
-    if (method == ContactMethod::Exact && !plan_.arenaContacts.empty()) {
+    if (method != ContactMethod::Substep && !plan_.arenaContacts.empty()) {
       const StepInput input{
           world_.settings, world_.arena, {&field, &integrator_, world_.settings.drag}};
       const IslandFate fate =

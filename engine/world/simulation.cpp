@@ -63,7 +63,7 @@ class Simulation : public Stepper {
     counts_ = {};
     planContacts(world);
     isDone_.assign(world.balls.size(), 0);
-    if (method == ContactMethod::Exact) {
+    if (method != ContactMethod::Substep) {
       const StepInput input{
           world.settings, world.arena, {&field_, &integrator, world.settings.drag}};
       if (!flyThroughImpacts(input, world.balls)) return false;
