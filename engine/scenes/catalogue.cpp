@@ -7,8 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "scenes/accuracy.h"
 #include "scenes/crowds.h"
+#include "scenes/ground_scenes.h"
+#include "scenes/impact_scenes.h"
+#include "scenes/well_scenes.h"
 
 namespace wells {
 namespace {
@@ -22,12 +24,39 @@ constexpr Scene kScenes[] = {
     {"template", "the world of config/template.txt with one well", 25, 0, 600, false,
      makeTemplateWorld},
     {"bounce", "a ball bounces on the ground without loss", 1, 1, 600, false, makeElasticBounce},
+    {"zeno", "a ball bounces, infinitely often, until it rests after 9.1 s", 1, 1, 360, false,
+     makeZeno},
+    {"zeno-rest", "the same with more loss: it rests after 3 s", 1, 1, 240, false, makeZenoRest},
     {"slide-to-roll", "a ball slides on the ground until friction makes it roll", 1, 1, 180, false,
      makeSlideToRoll},
+    {"backspin", "a ball slides against its spin", 1, 1, 180, false, makeBackspin},
+    {"backspin-return", "a ball spins so fast that it comes back", 1, 1, 180, false,
+     makeBackspinReturn},
+    {"oblique-ground", "two balls hit the ground with friction", 2, 2, 120, false,
+     makeObliqueGround},
+    {"oblique-balls", "a ball hits another off its centre", 2, 2, 120, false, makeObliqueBalls},
+    {"friction-balls-stick", "two balls hit with friction and stick", 2, 2, 120, false,
+     makeFrictionBallsStick},
+    {"friction-balls-slip", "a spinning ball hits another and slips", 2, 2, 120, false,
+     makeFrictionBallsSlip},
     {"billiard", "one ball hits a second, which hits a third", 3, 3, 180, false, makeBilliard},
     {"circle-billiard", "a ball runs round inside the wall, hit after hit", 1, 1, 60000, false,
      makeCircleBilliard},
+    {"cradle", "Newton's cradle: a ball hits a row of four", 5, 5, 90, false, makeCradle},
+    {"galperin", "a heavy ball drives a light one to the wall: 314 hits", 2, 2, 240, false,
+     makeGalperin},
+    {"collapse", "three balls lose their speeds to each other in infinitely many hits", 3, 3, 360,
+     false, makeCollapse},
+    {"collapse-twin", "the same with a little less loss: ten hits", 3, 3, 600, false,
+     makeCollapseTwin},
     {"orbit", "a ball orbits a softened well in free space", 1, 1, 1200, false, makeOrbit},
+    {"orbit-short", "the same, not yet once round", 1, 1, 120, false, makeOrbit},
+    {"circular-orbit", "a ball circles a softened well", 1, 1, 1200, false, makeCircularOrbit},
+    {"through-the-centre", "a ball swings through the centre of a well", 1, 1, 600, false,
+     makeThroughTheCentre},
+    {"well-bounces", "a ball bounces on the ground beneath a well", 1, 1, 360, false,
+     makeWellBounces},
+    {"well-bounces-long", "the same for eleven bounces", 1, 1, 960, false, makeWellBounces},
 };
 
 }  // namespace
