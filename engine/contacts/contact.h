@@ -14,6 +14,10 @@ namespace wells {
 inline constexpr std::uint32_t kGround = 0xffffffff;
 inline constexpr std::uint32_t kWall = 0xfffffffe;
 
+inline bool isBall(std::uint32_t partner) {
+  return partner < kWall;
+}
+
 /// A possible contact of ball a with ball b, the ground or the wall. The normal points from a to b;
 /// impulses are those on a along -normal and in the tangent plane, on b the opposite.
 struct Contact {
@@ -62,6 +66,29 @@ inline void touchArena(const Arena& arena, const Balls& balls, Contact& c) {
   const double fromAxis = std::sqrt(x * x + z * z);
   c.normal = fromAxis > 0 ? Vec3(x / fromAxis, 0, z / fromAxis) : Vec3(1, 0, 0);
   c.gap = arena.radius - balls.radius[c.a] - fromAxis;
+}
+
+inline void touch(const Arena& arena, const Balls& balls, Contact& c) {
+  if (isBall(c.b))
+    touchBalls(balls, c);
+  else
+    touchArena(arena, balls, c);
+}
+
+/// How fast the gap shrinks, m/s.
+inline double closingSpeed(const Balls& balls, const Contact& c) {
+  const double a = dot(balls.velocity[c.a], c.normal);
+  return isBall(c.b) ? a - dot(balls.velocity[c.b], c.normal) : a;
+}
+
+/// What touches and is pressed together rests: gaps up to kClosedGap (m) times the size of the
+/// coordinates, and closing speeds up to kClosingNoise times the speeds that they are made of, are
+/// what rounding leaves of zero.
+inline constexpr double kClosedGap = 1e-15;
+inline constexpr double kClosingNoise = 1e-14;
+
+inline double withoutNoise(double closing, double speed) {
+  return std::abs(closing) <= kClosingNoise * speed ? 0 : closing;
 }
 
 }  // namespace wells

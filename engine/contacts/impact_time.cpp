@@ -27,13 +27,6 @@ double safeTime(const GapNow& now) {
   return (root - now.closing) / now.growth;
 }
 
-/// Closing speeds up to this, times the speeds that they are made of, are rounding.
-constexpr double kClosingNoise = 1e-14;
-
-double withoutNoise(double closing, double speed) {
-  return std::abs(closing) <= kClosingNoise * speed ? 0 : closing;
-}
-
 /// Follows `gapAt` from `from`; `closed` is the gap (in its own unit) that counts as none.
 template <class GapAt>
 Encounter follow(GapAt gapAt, double closed, double from, double until) {
@@ -59,27 +52,38 @@ double horizontal(const Vec3& v) {
   return std::sqrt(v.x() * v.x() + v.z() * v.z());
 }
 
-Encounter encounterWithGround(const FlightModel& model, const Arena& arena, const Trajectory& ball,
-                              double radius, double from, double until) {
+/// A ball that touches, stands still towards the surface and is not pressed to it is about to leave
+/// by its acceleration. Follow it from where it has left; in time's unit the way there.
+constexpr double kLeaving = 1.0 / 64;
+
+Encounter encounterWithGround(const PathModel& model, const Path& ball, double from, double until) {
+  if (ball.motion != Motion::Flying) return {};
+  const Arena& arena = *model.arena;
   const double gravity = std::abs(model.field->gravity.y());
   const auto gapAt = [&](double t, double end) -> GapNow {
     const BallState now = stateAt(model, ball, t);
-    return {groundGap(arena, now.position, radius),
+    return {groundGap(arena, now.position, ball.radius),
             withoutNoise(-now.velocity.y(), length(now.velocity)),
-            gravity + accelerationBound(model, now, t, end - t)};
+            gravity + accelerationBound(model, ball.motion, now, t, end - t)};
   };
-  const double size = std::abs(arena.center.y()) + std::abs(ball.state.position.y()) + radius;
-  return follow(gapAt, kClosedGap * size, from, until);
+  const double size = std::abs(arena.center.y()) + std::abs(ball.state.position.y()) + ball.radius;
+  const double closed = kClosedGap * size;
+  const GapNow first = gapAt(from, until);
+  if (first.gap <= closed && first.closing == 0 && first.growth > 0) {
+    from += kLeaving * (until - from);
+    if (gapAt(from, until).gap <= closed) return {Meeting::Sustained, from};
+  }
+  return follow(gapAt, closed, from, until);
 }
 
-Encounter encounterWithWall(const FlightModel& model, const Arena& arena, const Trajectory& ball,
-                            double radius, double from, double until) {
-  const double reach = arena.radius - radius;  // of the centre from the axis
+Encounter encounterWithWall(const PathModel& model, const Path& ball, double from, double until) {
+  const Arena& arena = *model.arena;
+  const double reach = arena.radius - ball.radius;  // of the centre from the axis
   const double gravity = horizontal(model.field->gravity);
   const auto gapAt = [&](double t, double end) -> GapNow {
     const BallState now = stateAt(model, ball, t);
     const Vec3 p = now.position - arena.center;
-    const double pull = gravity + accelerationBound(model, now, t, end - t);
+    const double pull = gravity + accelerationBound(model, ball.motion, now, t, end - t);
     const double fastest = horizontal(now.velocity) + pull * (end - t);
     // (R^2 - rho^2)'' = -2 (v^2 + p.a)
     return {reach * reach - p.x() * p.x() - p.z() * p.z(),
@@ -93,30 +97,33 @@ Encounter encounterWithWall(const FlightModel& model, const Arena& arena, const 
 
 }  // namespace
 
-Encounter encounterOfBalls(const FlightModel& model, const Trajectory& a, double radiusA,
-                           const Trajectory& b, double radiusB, double from, double until) {
+Encounter encounterOfBalls(const PathModel& model, const Path& a, const Path& b, double from,
+                           double until) {
+  // Gravity is the same for both, unless the ground takes it from one.
+  const double gravity = (a.motion == Motion::Flying) == (b.motion == Motion::Flying)
+                             ? 0
+                             : length(model.field->gravity);
   const auto gapAt = [&](double t, double end) -> GapNow {
     const BallState nowA = stateAt(model, a, t);
     const BallState nowB = stateAt(model, b, t);
     const Vec3 d = nowB.position - nowA.position;
     const double distance = length(d);
     // Coincident centres: as deep as can be, and nowhere to go.
-    if (distance == 0) return {-radiusA - radiusB, 0, 1};
-    // Gravity is the same for both.
-    return {
-        distance - radiusA - radiusB,
-        withoutNoise(dot(nowA.velocity - nowB.velocity, d) / distance,
-                     length(nowA.velocity) + length(nowB.velocity)),
-        accelerationBound(model, nowA, t, end - t) + accelerationBound(model, nowB, t, end - t)};
+    if (distance == 0) return {-a.radius - b.radius, 0, 1};
+    return {distance - a.radius - b.radius,
+            withoutNoise(dot(nowA.velocity - nowB.velocity, d) / distance,
+                         length(nowA.velocity) + length(nowB.velocity)),
+            gravity + accelerationBound(model, a.motion, nowA, t, end - t) +
+                accelerationBound(model, b.motion, nowB, t, end - t)};
   };
-  const double size = length(a.state.position) + length(b.state.position) + radiusA + radiusB;
+  const double size = length(a.state.position) + length(b.state.position) + a.radius + b.radius;
   return follow(gapAt, kClosedGap * size, from, until);
 }
 
-Encounter encounterWithArena(const FlightModel& model, const Arena& arena, const Trajectory& ball,
-                             double radius, std::uint32_t partner, double from, double until) {
-  return partner == kGround ? encounterWithGround(model, arena, ball, radius, from, until)
-                            : encounterWithWall(model, arena, ball, radius, from, until);
+Encounter encounterWithArena(const PathModel& model, const Path& ball, std::uint32_t partner,
+                             double from, double until) {
+  return partner == kGround ? encounterWithGround(model, ball, from, until)
+                            : encounterWithWall(model, ball, from, until);
 }
 
 }  // namespace wells

@@ -15,8 +15,7 @@
 
 #include <cstdint>
 
-#include "contacts/contact.h"
-#include "flight/trajectory.h"
+#include "contacts/path.h"
 
 namespace wells {
 
@@ -31,16 +30,14 @@ struct Encounter {
   double time = 0;  // s since the start of the step; of an impact
 };
 
-/// Gaps up to this (m) times the size of the coordinates count as closed: what rounding leaves.
-inline constexpr double kClosedGap = 1e-15;
-
 /// The first encounter of two balls between `from` and `until`; both paths start at or before
 /// `from`. A pair that touches at `from` and separates is followed to its next encounter.
-Encounter encounterOfBalls(const FlightModel& model, const Trajectory& a, double radiusA,
-                           const Trajectory& b, double radiusB, double from, double until);
+Encounter encounterOfBalls(const PathModel& model, const Path& a, const Path& b, double from,
+                           double until);
 
-/// The first encounter of a ball with the ground (kGround) or the wall (kWall).
-Encounter encounterWithArena(const FlightModel& model, const Arena& arena, const Trajectory& ball,
-                             double radius, std::uint32_t partner, double from, double until);
+/// The first encounter of a ball with the ground (kGround) or the wall (kWall). A ball that the
+/// ground holds has none with it.
+Encounter encounterWithArena(const PathModel& model, const Path& ball, std::uint32_t partner,
+                             double from, double until);
 
 }  // namespace wells

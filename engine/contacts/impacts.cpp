@@ -10,17 +10,8 @@ constexpr double kNoise = 1e-14;   // of the fastest ball: closing slower than t
 constexpr int kMostSweeps = 1000;  // of the projected Gauss-Seidel, which ends when it is exact
 constexpr double kSpinFactor = 1 / kInertiaFactor;
 
-bool isBall(std::uint32_t partner) {
-  return partner < kWall;
-}
-
 double inverseMass(const Balls& balls, std::uint32_t i) {
   return isBall(i) ? 1 / balls.mass[i] : 0;
-}
-
-double closingSpeed(const Balls& balls, const Contact& c) {
-  const double a = dot(balls.velocity[c.a], c.normal);
-  return isBall(c.b) ? a - dot(balls.velocity[c.b], c.normal) : a;
 }
 
 void push(Balls& balls, const Contact& c, const Vec3& impulseOnA) {
@@ -85,7 +76,8 @@ void rub(double friction, std::span<const Contact> contacts, Balls& balls) {
 
 }  // namespace
 
-std::int64_t resolveImpacts(const Settings& settings, std::span<Contact> contacts, Balls& balls) {
+std::int64_t resolveImpacts(double elasticity, double friction, std::span<Contact> contacts,
+                            Balls& balls) {
   double fastest = 0;
   for (Contact& c : contacts) {
     c.inverseMassA = inverseMass(balls, c.a);
@@ -96,12 +88,12 @@ std::int64_t resolveImpacts(const Settings& settings, std::span<Contact> contact
   const double noise = kNoise * fastest;
   std::int64_t impulses = 0;
   for (int round = 0; round < kMostReflections; ++round) {
-    const std::int64_t given = reflect(settings.elasticity, noise, contacts, balls);
+    const std::int64_t given = reflect(elasticity, noise, contacts, balls);
     if (given == 0) return impulses;
     impulses += given;
-    if (settings.friction > 0) rub(settings.friction, contacts, balls);
+    if (friction > 0) rub(friction, contacts, balls);
   }
-  if (settings.elasticity < 1) impulses += reflect(0, noise, contacts, balls);
+  if (elasticity < 1) impulses += reflect(0, noise, contacts, balls);
   return impulses;
 }
 

@@ -13,14 +13,14 @@
 #include <span>
 
 #include "contacts/contact.h"
-#include "state/settings.h"
 
 namespace wells {
 
 /// Resolves contacts whose normals are set (gaps do not matter). Order does not matter but for
 /// friction within a cluster. For e < 1 what still closes after kMostReflections rounds is brought
 /// to rest. Returns how many impulses were given: contacts, summed over the rounds.
-std::int64_t resolveImpacts(const Settings& settings, std::span<Contact> contacts, Balls& balls);
+std::int64_t resolveImpacts(double elasticity, double friction, std::span<Contact> contacts,
+                            Balls& balls);
 
 inline constexpr int kMostReflections = 200;
 

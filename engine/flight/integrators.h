@@ -18,7 +18,8 @@ struct Flight {
   double drag;         // velocity factor per second, in (0, 1]
 };
 
-/// An integrator advances position (m) and velocity (m/s) of the balls named by `balls`.
+/// An integrator advances position (m) and velocity (m/s) of the balls named by `balls`, in one
+/// stretch. Steps go through flyThrough().
 struct Integrator {
   std::string_view name;
   std::string_view about;
@@ -28,6 +29,16 @@ struct Integrator {
                     // what finding impact times within a step asks for
   void (*fly)(const Flight&, std::span<const std::uint32_t> balls, Vec3* position, Vec3* velocity);
 };
+
+/// Flies the balls through the whole duration: exactly where nothing but gravity acts, whatever the
+/// integrator; else in stretches of field.stretch, the last one shorter.
+void flyThrough(const Integrator& integrator, const Flight& flight,
+                std::span<const std::uint32_t> balls, Vec3* position, Vec3* velocity);
+
+/// True where velocity is the rate of position at all times within a flight.
+inline bool isDenseIn(const Integrator& integrator, const Field& field, double drag) {
+  return integrator.isDense || (field.wells.empty() && drag == 1);
+}
 
 std::span<const Integrator> integrators();
 

@@ -1,5 +1,8 @@
 #include "forces/field.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "math/elementary.h"
 
 namespace wells {
@@ -17,6 +20,19 @@ void updateField(const World& world, std::int64_t step, Field& field) {
     const Well well = wellAt(track, step, world.settings.dt);
     if (well.strength != 0) field.wells.push_back(well);
   }
+  field.stretch =
+      field.wells.empty()
+          ? std::numeric_limits<double>::infinity()
+          : world.settings.dt / static_cast<double>(stretchesOf(field.wells, world.settings.dt));
+}
+
+std::int64_t stretchesOf(const std::vector<Well>& wells, double dt) {
+  double sharpest = 0;  // 1/s^2
+  for (const Well& well : wells)
+    sharpest = std::max(
+        sharpest, std::abs(well.strength) / (well.softening * well.softening * well.softening));
+  const double stretches = std::ceil(dt * std::sqrt(sharpest) / kStretchPhase);
+  return static_cast<std::int64_t>(std::clamp(stretches, 1.0, static_cast<double>(kMostStretches)));
 }
 
 double dragFactor(double drag, double h) {

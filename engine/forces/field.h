@@ -2,6 +2,7 @@
 // force.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "math/vector.h"
@@ -13,6 +14,8 @@ namespace wells {
 struct Field {
   Vec3 gravity = Vec3::Zero();   // m/s^2
   std::vector<Well> wells = {};  // switched on ones only
+  /// s, the longest stretch of flight that resolves the sharpest well: see stretchesOf.
+  double stretch = std::numeric_limits<double>::infinity();
 };
 
 /// The field of the step that starts now.
@@ -20,6 +23,15 @@ Field fieldOf(const World& world);
 
 /// Makes `field` that of the step that starts at `step`, in the memory that it has.
 void updateField(const World& world, std::int64_t step, Field& field);
+
+/// Into how many equal stretches a step of dt seconds is divided, so that none is longer than
+/// kStretchPhase / omega, omega^2 = max |S| / softening^3 being the curvature at the centre of the
+/// sharpest well. The same for all balls and, while the wells keep their strengths, for all steps:
+/// what is symplectic at a fixed step stays so. At most kMostStretches.
+std::int64_t stretchesOf(const std::vector<Well>& wells, double dt);
+
+inline constexpr double kStretchPhase = 0.25;  // rad
+inline constexpr std::int64_t kMostStretches = 10'000;
 
 /// Acceleration (m/s^2) at `position` (m), `t` seconds after the start of the step.
 inline Vec3 acceleration(const Field& field, const Vec3& position, double t) {

@@ -16,6 +16,10 @@ struct BallState {
   Vec3 spin = Vec3::Zero();      // rad/s, angular velocity in the lab frame
 };
 
+inline bool isFinite(const BallState& ball) {
+  return isFinite(ball.position) && isFinite(ball.velocity) && isFinite(ball.spin);
+}
+
 /// Solid spheres: the moment of inertia is kInertiaFactor * mass * radius^2 about every axis.
 inline constexpr double kInertiaFactor = 2.0 / 5.0;
 

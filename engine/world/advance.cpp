@@ -33,7 +33,7 @@ void advance(const Settings& settings, const Arena& arena, const Field& field,
              const Integrator& integrator, StepPlan& plan, Balls& balls) {
   Vec3* const position = balls.position.data();
   Vec3* const velocity = balls.velocity.data();
-  integrator.fly({&field, 0, settings.dt, settings.drag}, plan.free, position, velocity);
+  flyThrough(integrator, {&field, 0, settings.dt, settings.drag}, plan.free, position, velocity);
 
   const double h = settings.dt / settings.substeps;
   plan.velocityBefore.resize(balls.size());
@@ -44,7 +44,8 @@ void advance(const Settings& settings, const Arena& arena, const Field& field,
       plan.velocityBefore[i] = velocity[i];
       position[i] += velocity[i] * h;
     }
-    integrator.fly({&field, substep * h, h, settings.drag}, plan.touching, position, velocity);
+    flyThrough(integrator, {&field, substep * h, h, settings.drag}, plan.touching, position,
+               velocity);
     resolveContacts(settings, arena, h, {plan.ballContacts, plan.arenaContacts},
                     plan.velocityBefore.data(), balls);
   }

@@ -4,6 +4,7 @@
 
 #include "contacts/impact_time.h"
 #include "contacts/impacts.h"
+#include "contacts/support.h"
 #include "world/advance.h"
 
 namespace wells {
@@ -14,22 +15,6 @@ namespace {
 constexpr double kTouchingGap = 1e-14;
 constexpr double kMostOverlap = 1e-9;  // of the radius
 
-bool isBall(std::uint32_t partner) {
-  return partner < kWall;
-}
-
-void touch(const Arena& arena, const Balls& balls, Contact& c) {
-  if (isBall(c.b))
-    touchBalls(balls, c);
-  else
-    touchArena(arena, balls, c);
-}
-
-double closingSpeed(const Balls& balls, const Contact& c) {
-  const double a = dot(balls.velocity[c.a], c.normal);
-  return isBall(c.b) ? a - dot(balls.velocity[c.b], c.normal) : a;
-}
-
 /// Overlap beyond rounding has no instant at which it began, and is for the solver that pushes it
 /// out. In a heap some pair always overlaps, so this also spares it the search for impacts.
 bool anyOverlaps(const Arena& arena, std::span<const Contact> pairs, const Balls& balls) {
@@ -39,16 +24,12 @@ bool anyOverlaps(const Arena& arena, std::span<const Contact> pairs, const Balls
   });
 }
 
-std::int64_t mostImpacts(double elasticity) {
-  return elasticity < 1 ? kMostInelasticImpacts : kMostElasticImpacts;
-}
-
 }  // namespace
 
 IslandFate ExactFlight::run(const StepInput& in, std::span<const std::uint32_t> island,
                             std::span<const Contact> pairs, std::span<double> reach, Balls& balls) {
-  if (anyOverlaps(in.arena, pairs, balls)) return IslandFate::Sustained;
-  begin(in.settings.dt, island, pairs, balls);
+  if (anyOverlaps(*in.model.arena, pairs, balls)) return IslandFate::Sustained;
+  begin(in, island, pairs, balls);
   const IslandFate fate = simulate(in, pairs, reach, balls);
   for (const std::uint32_t i : island)
     balls.setState(i, fate == IslandFate::Done ? stateAt(in.model, path_[i], dt_) : start_[i]);
@@ -61,11 +42,11 @@ IslandFate ExactFlight::run(const StepInput& in, std::span<const std::uint32_t> 
   return fate;
 }
 
-void ExactFlight::begin(double dt, std::span<const std::uint32_t> island,
+void ExactFlight::begin(const StepInput& in, std::span<const std::uint32_t> island,
                         std::span<const Contact> pairs, const Balls& balls) {
-  dt_ = dt;
-  radius_ = balls.radius.data();
+  dt_ = in.settings.dt;
   counts_ = {};
+  motionsEnded_ = 0;
   events_.clear();
   path_.resize(balls.size());
   start_.resize(balls.size());
@@ -74,9 +55,10 @@ void ExactFlight::begin(double dt, std::span<const std::uint32_t> island,
   pairCount_.resize(balls.size());
   for (const std::uint32_t i : island) {
     start_[i] = balls.state(i);
-    path_[i] = {start_[i], 0};
+    path_[i] = pathFrom(in.model, start_[i], balls.radius[i], 0);
     version_[i] = 0;
     pairCount_[i] = 0;
+    foreseeEndOfMotion(in, i);
   }
   // The pairs of ball i are pairsOf_[firstPair_[i]] and the pairCount_[i] - 1 after it.
   for (const Contact& pair : pairs) {
@@ -105,56 +87,93 @@ IslandFate ExactFlight::simulate(const StepInput& in, std::span<const Contact> p
     std::pop_heap(events_.begin(), events_.end(), later);
     const Event event = events_.back();
     events_.pop_back();
-    if (isOutdated(event, pairs[event.pair])) continue;
+    if (isOutdated(pairs, event)) continue;
 
-    gatherCluster(in, pairs, event, balls);
-    if (in.settings.elasticity < 1 && isTooSlow(in, event.time, balls))
-      return IslandFate::Sustained;
-    const std::int64_t impulses = resolveImpacts(in.settings, cluster_, balls);
-    if (impulses == 0) return IslandFate::Sustained;  // it touches and does not close: it lasts
-    counts_.impacts += impulses;
-    if (cluster_.size() > 1) ++counts_.clusters;
-    if (counts_.impacts > mostImpacts(in.settings.elasticity)) return IslandFate::Sustained;
-
-    for (const std::uint32_t i : clusterBalls_) {
-      if (isTooFar(i, balls, reach)) return IslandFate::TooFar;
-      path_[i] = {balls.state(i), event.time};
-      ++version_[i];
+    if (event.pair == kEndOfMotion) {
+      if (++motionsEnded_ > kMostInelasticImpacts) return IslandFate::Sustained;
+      cluster_.clear();
+      clusterBalls_.assign(1, event.ball);
+      path_[event.ball] = pathAfter(in.model, path_[event.ball], event.time);
+      ++version_[event.ball];
+    } else {
+      gatherCluster(in, pairs, event, balls);
+      const IslandFate fate = resolve(in, event.time, balls);
+      if (fate != IslandFate::Done) return fate;
+      for (const std::uint32_t i : clusterBalls_) {
+        if (isTooFar(i, balls, reach)) return IslandFate::TooFar;
+        path_[i] = pathFrom(in.model, balls.state(i), path_[i].radius, event.time);
+        ++version_[i];
+      }
     }
     if (!foreseeCluster(in, pairs)) return IslandFate::Sustained;
   }
   return IslandFate::Done;
 }
 
+IslandFate ExactFlight::resolve(const StepInput& in, double time, Balls& balls) {
+  const bool isElastic = in.settings.elasticity == 1;
+  double elasticity = in.settings.elasticity;
+  if (settles(in, time, balls))
+    elasticity = 0;
+  else if (!isElastic && isTooSlow(in, time, balls))
+    return IslandFate::Sustained;
+  const std::int64_t impulses = resolveImpacts(elasticity, in.settings.friction, cluster_, balls);
+  if (impulses == 0) return IslandFate::Sustained;  // it touches and does not close: it lasts
+  counts_.impacts += impulses;
+  if (cluster_.size() > 1) ++counts_.clusters;
+  if (isElastic)
+    return counts_.impacts > in.settings.mostImpacts ? IslandFate::TooMany : IslandFate::Done;
+  return counts_.impacts > kMostInelasticImpacts ? IslandFate::Sustained : IslandFate::Done;
+}
+
+// The flights that are left last 2 e v / (N (1 - e)) in all, N the pressing acceleration.
+bool ExactFlight::settles(const StepInput& in, double time, const Balls& balls) const {
+  if (cluster_.size() != 1 || cluster_[0].b != kGround) return false;
+  const std::uint32_t ball = cluster_[0].a;
+  const double e = in.settings.elasticity;
+  const double pressing = -acceleration(*in.model.field, balls.position[ball], time).y();
+  const double speed = closingSpeed(balls, cluster_[0]);
+  return pressing > 0 && 2 * e * speed <= kSettlingTime * dt_ * pressing * (1 - e);
+}
+
+void ExactFlight::foreseeEndOfMotion(const StepInput& in, std::uint32_t ball) {
+  if (path_[ball].motion == Motion::Flying) return;
+  const double end = endOfMotion(in.model, path_[ball], dt_);
+  if (end < dt_) add({end, kEndOfMotion, ball, version_[ball], 0});
+}
+
+void ExactFlight::add(const Event& event) {
+  events_.push_back(event);
+  std::push_heap(events_.begin(), events_.end(), later);
+}
+
 bool ExactFlight::foresee(const StepInput& in, std::span<const Contact> pairs, std::uint32_t p) {
   const Contact& pair = pairs[p];
-  const Trajectory& a = path_[pair.a];
+  const Path& a = path_[pair.a];
   Encounter next;
   std::uint32_t versionB = 0;
   if (isBall(pair.b)) {
-    const Trajectory& b = path_[pair.b];
+    const Path& b = path_[pair.b];
     versionB = version_[pair.b];
-    next = encounterOfBalls(in.model, a, radius_[pair.a], b, radius_[pair.b],
-                            std::max(a.start, b.start), dt_);
+    next = encounterOfBalls(in.model, a, b, std::max(a.start, b.start), dt_);
   } else {
-    next = encounterWithArena(in.model, in.arena, a, radius_[pair.a], pair.b, a.start, dt_);
+    next = encounterWithArena(in.model, a, pair.b, a.start, dt_);
   }
   if (next.meeting == Meeting::Sustained) return false;
-  if (next.meeting == Meeting::Impact) {
-    events_.push_back({next.time, p, version_[pair.a], versionB});
-    std::push_heap(events_.begin(), events_.end(), later);
-  }
+  if (next.meeting == Meeting::Impact) add({next.time, p, pair.a, version_[pair.a], versionB});
   return true;
 }
 
 bool ExactFlight::foreseeCluster(const StepInput& in, std::span<const Contact> pairs) {
-  for (const std::uint32_t i : clusterBalls_)
+  for (const std::uint32_t i : clusterBalls_) {
+    foreseeEndOfMotion(in, i);
     for (std::uint32_t k = 0; k < pairCount_[i]; ++k) {
       const std::uint32_t p = pairsOf_[firstPair_[i] + k];
       if (inCluster_[p]) continue;  // foreseen from its other ball
       inCluster_[p] = 1;
       if (!foresee(in, pairs, p)) return false;
     }
+  }
   for (const std::uint32_t i : clusterBalls_)
     for (std::uint32_t k = 0; k < pairCount_[i]; ++k) inCluster_[pairsOf_[firstPair_[i] + k]] = 0;
   return true;
@@ -164,9 +183,11 @@ bool ExactFlight::later(const Event& x, const Event& y) {
   return x.time != y.time ? x.time > y.time : x.pair > y.pair;
 }
 
-bool ExactFlight::isOutdated(const Event& event, const Contact& pair) const {
-  return event.versionA != version_[pair.a] ||
-         (isBall(pair.b) && event.versionB != version_[pair.b]);
+bool ExactFlight::isOutdated(std::span<const Contact> pairs, const Event& event) const {
+  if (event.versionA != version_[event.ball]) return true;
+  if (event.pair == kEndOfMotion) return false;
+  const std::uint32_t b = pairs[event.pair].b;
+  return isBall(b) && event.versionB != version_[b];
 }
 
 // The event's pair, and whatever touches one of its balls at that time, and so on.
@@ -187,7 +208,7 @@ void ExactFlight::gatherCluster(const StepInput& in, std::span<const Contact> pa
     cluster_.push_back({.a = pairs[p].a, .b = pairs[p].b});
     bring(pairs[p].a);
     bring(pairs[p].b);
-    touch(in.arena, balls, cluster_.back());
+    touch(*in.model.arena, balls, cluster_.back());
   };
   include(event.pair);
   for (std::size_t n = 0; n < clusterBalls_.size(); ++n) {
@@ -199,8 +220,9 @@ void ExactFlight::gatherCluster(const StepInput& in, std::span<const Contact> pa
       if (isBall(other) && !isHere(other))
         balls.setState(other, stateAt(in.model, path_[other], event.time));
       Contact now{.a = pairs[p].a, .b = pairs[p].b};
-      touch(in.arena, balls, now);
-      const double size = length(balls.position[i]) + length(in.arena.center) + in.arena.radius;
+      touch(*in.model.arena, balls, now);
+      const Arena& arena = *in.model.arena;
+      const double size = length(balls.position[i]) + length(arena.center) + arena.radius;
       if (now.gap <= kTouchingGap * size) include(p);
     }
   }
@@ -212,9 +234,10 @@ bool ExactFlight::isTooSlow(const StepInput& in, double time, const Balls& balls
   const double substep = dt_ / in.settings.substeps;
   const double gravity = length(in.settings.gravity);
   for (const Contact& c : cluster_) {
-    double pressing = accelerationBound(in.model, balls.state(c.a), time, substep);
-    pressing +=
-        isBall(c.b) ? accelerationBound(in.model, balls.state(c.b), time, substep) : gravity;
+    const auto bound = [&](std::uint32_t i) {
+      return accelerationBound(in.model, path_[i].motion, balls.state(i), time, substep);
+    };
+    const double pressing = bound(c.a) + (isBall(c.b) ? bound(c.b) : gravity);
     const double closing = closingSpeed(balls, c);
     if (closing > 0 && closing < pressing * substep / 2) return true;
   }

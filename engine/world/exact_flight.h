@@ -1,30 +1,33 @@
-// One island through one step by the times of its impacts: fly, find the earliest impact, resolve
-// it, look again at the pairs of the balls that it changed, until the step ends. Flight is per
-// ball, so an event costs what its neighbourhood costs, and the integrator's order survives every
-// impact.
+// One island through one step by the times of its events: move on, find the earliest impact (or the
+// time at which a ball on the ground begins to slide, to roll or to lift off), resolve it, look
+// again at the pairs of the balls that it changed, until the step ends. Paths are per ball, so an
+// event costs what its neighbourhood costs, and the integrator's order survives every impact.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "contacts/contact.h"
-#include "flight/trajectory.h"
+#include "contacts/path.h"
 #include "state/world.h"
 
 namespace wells {
 
 /// What all islands of a step share.
 struct StepInput {
+  StepInput(const World& world, const Field& field, const Integrator& integrator)
+      : settings(world.settings),
+        model{&field, &integrator, &world.arena, settings.drag, settings.friction} {}
+
   const Settings& settings;
-  const Arena& arena;
-  FlightModel model;
+  PathModel model;
 };
 
 enum class IslandFate : std::uint8_t {
   Done,       // the balls are at the end of the step
   Sustained,  // a contact lasts, or inelastic impacts pile up: for the solver of lasting contacts
-  TooFar      // a ball left its reach, so pairs may be missing: enlarge it and start again
+  TooFar,     // a ball left its reach, so pairs may be missing: enlarge it and start again
+  TooMany     // more elastic impacts than settings.mostImpacts
 };
 
 /// After so many attempts at a step with ever larger reaches all of it is left to the substeps: a
@@ -33,9 +36,11 @@ inline constexpr int kMostExactAttempts = 8;
 
 /// The method of the given attempt (from 1) at a step: what is asked for, but substeps where the
 /// integrator has no dense output and after kMostExactAttempts.
-inline ContactMethod methodOf(const Settings& settings, const Integrator& integrator, int attempt) {
-  return integrator.isDense && attempt <= kMostExactAttempts ? settings.contactMethod
-                                                             : ContactMethod::Substep;
+inline ContactMethod methodOf(const Settings& settings, const Field& field,
+                              const Integrator& integrator, int attempt) {
+  return isDenseIn(integrator, field, settings.drag) && attempt <= kMostExactAttempts
+             ? settings.contactMethod
+             : ContactMethod::Substep;
 }
 
 struct ExactCounts {
@@ -45,11 +50,13 @@ struct ExactCounts {
 
 /// What is left to the solver of lasting contacts: inelastic impacts (e < 1) slower than what the
 /// pressing acceleration builds up in half a substep, whose bounces would be shorter than one; and
-/// islands with more impacts in one step than these. Elastic impacts are never too slow, and their
-/// limit is far above what physics asks for (Galperin's billiard at mass ratio 10^8 has 31,415 in
-/// all); it is met by elastic heaps that a strong well presses together.
+/// islands with more inelastic impacts or changes of motion in one step than this. Elastic impacts
+/// are never too slow.
 inline constexpr std::int64_t kMostInelasticImpacts = 1000;
-inline constexpr std::int64_t kMostElasticImpacts = 50'000;
+
+/// The bounces of one ball on the ground follow each other in a geometric series of ratio e. When
+/// what is left of it is shorter than this (of the step), the ball has come to rest on the ground.
+inline constexpr double kSettlingTime = 1e-6;
 
 class ExactFlight {
  public:
@@ -65,30 +72,38 @@ class ExactFlight {
 
  private:
   struct Event {
-    double time;  // s since the start of the step
-    std::uint32_t pair;
+    double time;         // s since the start of the step
+    std::uint32_t pair;  // kEndOfMotion: of ball `ball`
+    std::uint32_t ball;
     std::uint32_t versionA;
     std::uint32_t versionB;
   };
+  static constexpr std::uint32_t kEndOfMotion = 0xffffffff;
 
   static bool later(const Event& x, const Event& y);
 
-  void begin(double dt, std::span<const std::uint32_t> island, std::span<const Contact> pairs,
-             const Balls& balls);
+  void begin(const StepInput& in, std::span<const std::uint32_t> island,
+             std::span<const Contact> pairs, const Balls& balls);
   IslandFate simulate(const StepInput& in, std::span<const Contact> pairs, std::span<double> reach,
                       Balls& balls);
+  /// At an event, with the states of the cluster's balls in `balls`.
+  IslandFate resolve(const StepInput& in, double time, Balls& balls);
+  /// True when the cluster is the last bounce of one ball on the ground that counts.
+  bool settles(const StepInput& in, double time, const Balls& balls) const;
   /// Adds the next impact of pair p. False: its contact lasts.
   bool foresee(const StepInput& in, std::span<const Contact> pairs, std::uint32_t p);
-  /// The same for all pairs of the cluster's balls.
+  void foreseeEndOfMotion(const StepInput& in, std::uint32_t ball);
+  void add(const Event& event);
+  /// Both for the cluster's balls and all their pairs.
   bool foreseeCluster(const StepInput& in, std::span<const Contact> pairs);
-  bool isOutdated(const Event& event, const Contact& pair) const;
+  bool isOutdated(std::span<const Contact> pairs, const Event& event) const;
   void gatherCluster(const StepInput& in, std::span<const Contact> pairs, const Event& event,
                      Balls& balls);
   bool isTooSlow(const StepInput& in, double time, const Balls& balls) const;
   bool isTooFar(std::uint32_t ball, const Balls& balls, std::span<double> reach) const;
 
   // By ball, sized for the world; only those of the island are valid.
-  std::vector<Trajectory> path_;
+  std::vector<Path> path_;
   std::vector<BallState> start_;
   std::vector<std::uint32_t> version_;  // rises at each event of the ball
   std::vector<std::uint32_t> firstPair_;
@@ -100,8 +115,8 @@ class ExactFlight {
   std::vector<std::uint32_t> clusterBalls_;
   std::vector<std::uint8_t> inCluster_;  // by pair of the island
   ExactCounts counts_;
-  double dt_ = 0;                   // s
-  const double* radius_ = nullptr;  // m, by ball
+  std::int64_t motionsEnded_ = 0;
+  double dt_ = 0;  // s
 };
 
 }  // namespace wells

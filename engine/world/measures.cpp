@@ -12,10 +12,6 @@
 namespace wells {
 namespace {
 
-bool isFiniteBall(const Balls& balls, std::uint32_t i) {
-  return isFinite(balls.position[i]) && isFinite(balls.velocity[i]) && isFinite(balls.spin[i]);
-}
-
 /// Kinetic and potential energy, momentum and angular momentum of one ball.
 void addMechanics(const World& world, const Field& field, std::uint32_t i, Measures& sum) {
   const Balls& balls = world.balls;
@@ -75,7 +71,7 @@ Measures measure(const World& world, std::span<const std::uint32_t> balls) {
   std::vector<std::uint32_t> finite;
   finite.reserve(balls.size());
   for (const std::uint32_t i : balls) {
-    if (!isFiniteBall(world.balls, i)) {
+    if (!isFinite(world.balls.state(i))) {
       ++sum.escaped;
       continue;
     }

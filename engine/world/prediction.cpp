@@ -17,8 +17,8 @@ class LoneBall {
   void step(const Field& field, Balls& ball) {
     const BallState start = ball.state(kBall);
     reach_ = reachOf(field, start, ball.radius[kBall], world_.settings.dt);
-    for (int attempts = 1; !attempt(field, ball, methodOf(world_.settings, integrator_, attempts));
-         ++attempts)
+    for (int attempts = 1;
+         !attempt(field, ball, methodOf(world_.settings, field, integrator_, attempts)); ++attempts)
       ball.setState(kBall, start);
   }
 
@@ -28,11 +28,11 @@ class LoneBall {
     const Vec3 start = ball.position[kBall];
     findContacts(ball);
     if (method != ContactMethod::Substep && !plan_.arenaContacts.empty()) {
-      const StepInput input{
-          world_.settings, world_.arena, {&field, &integrator_, world_.settings.drag}};
+      const StepInput input(world_, field, integrator_);
       const IslandFate fate =
           exact_.run(input, {&kBall, 1}, plan_.arenaContacts, {&reach_, 1}, ball);
-      if (fate != IslandFate::Sustained) return fate == IslandFate::Done;
+      if (fate == IslandFate::Done) return true;
+      if (fate == IslandFate::TooFar) return false;
     }
     plan_.free.clear();
     plan_.touching.clear();

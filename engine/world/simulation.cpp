@@ -1,9 +1,15 @@
 #include "world/simulation.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
 
 #include "broadphase/broadphase.h"
 #include "world/advance.h"
+#include "world/contact_choice.h"
 #include "world/exact_flight.h"
 #include "world/islands.h"
 
@@ -32,12 +38,29 @@ void warmStartFrom(const std::vector<Contact>& old, std::vector<Contact>& contac
   }
 }
 
+void remember(const std::vector<Contact>& contacts, std::vector<StepperMemory::Contact>& memory) {
+  memory.clear();
+  for (const Contact& c : contacts)
+    memory.push_back({c.a, c.b, c.impact, c.normalImpulse, c.tangentImpulse});
+}
+
+void recall(const std::vector<StepperMemory::Contact>& memory, std::vector<Contact>& contacts) {
+  contacts.clear();
+  for (const StepperMemory::Contact& c : memory)
+    contacts.push_back({.a = c.a,
+                        .b = c.b,
+                        .impact = c.impact,
+                        .normalImpulse = c.normalImpulse,
+                        .tangentImpulse = c.tangentImpulse});
+}
+
 class Simulation : public Stepper {
  public:
   std::string name() const override { return "ours"; }
   std::string integrator() const override { return integrator_; }
   std::string contactMethod() const override { return std::string(wells::name(method_)); }
   StepCounts counts() const override { return counts_; }
+  std::span<const std::uint32_t> quarantined() const override { return quarantined_; }
 
   void step(World& world) override {
     const Integrator& integrator = findIntegrator(world.settings.integrator);
@@ -46,60 +69,106 @@ class Simulation : public Stepper {
     std::swap(plan_.ballContacts, oldBallContacts_);
     std::swap(plan_.arenaContacts, oldArenaContacts_);
     start_ = world.balls;
+    inSubsteps_.resize(world.balls.size(), 0);
     // A ball that is thrown beyond its reach may have missed a pair: the step starts over with a
     // larger one. Reaches at least double each time, so that ends.
     for (int attempts = 1;
-         !attempt(world, integrator, methodOf(world.settings, integrator, attempts)); ++attempts)
+         !attempt(world, integrator, methodOf(world.settings, field_, integrator, attempts));
+         ++attempts)
       world.balls = start_;
+    std::swap(inSubsteps_, nextInSubsteps_);
     ++world.step;
     stepped_ = true;
     integrator_ = integrator.name;
     method_ = world.settings.contactMethod;
+    findQuarantined(world.balls);
+  }
+
+  const StepperMemory* memory() const override {
+    remember(plan_.ballContacts, memory_.ballContacts);
+    remember(plan_.arenaContacts, memory_.arenaContacts);
+    memory_.inSubsteps = inSubsteps_;
+    return &memory_;
+  }
+
+  void restore(const StepperMemory& memory) override {
+    recall(memory.ballContacts, plan_.ballContacts);
+    recall(memory.arenaContacts, plan_.arenaContacts);
+    inSubsteps_ = memory.inSubsteps;
+    stepped_ = true;
   }
 
  private:
   /// One step with the present reaches. False: one was too short and has been enlarged.
   bool attempt(World& world, const Integrator& integrator, ContactMethod method) {
     counts_ = {};
+    counts_.flightStretches =
+        std::isfinite(field_.stretch) ? stretchesOf(field_.wells, world.settings.dt) : 1;
     planContacts(world);
     isDone_.assign(world.balls.size(), 0);
-    if (method != ContactMethod::Substep) {
-      const StepInput input{
-          world.settings, world.arena, {&field_, &integrator, world.settings.drag}};
-      if (!flyThroughImpacts(input, world.balls)) return false;
-    }
+    nextInSubsteps_.assign(world.balls.size(), 0);
+    if (method != ContactMethod::Substep &&
+        !moveByEvents({world, field_, integrator}, method, world))
+      return false;
     startFromOldImpulses(world);
     planFlights(world);
+    counts_.substepBalls = static_cast<std::int64_t>(plan_.touching.size());
     advance(world.settings, world.arena, field_, integrator, plan_, world.balls);
     return enlargeReaches(world) == 0;
   }
 
+  /// A ball whose state is not finite gets no reach: it is in no pair and is not moved.
   void findReaches(const World& world) {
     const Balls& balls = world.balls;
     reach_.resize(balls.size());
     for (std::size_t i = 0; i < balls.size(); ++i)
-      reach_[i] = reachOf(field_, balls.state(i), balls.radius[i], world.settings.dt);
+      reach_[i] = isFinite(balls.state(i))
+                      ? reachOf(field_, balls.state(i), balls.radius[i], world.settings.dt)
+                      : std::numeric_limits<double>::quiet_NaN();
   }
 
-  /// All islands in which nothing but impacts happens. False: a reach was too short and has been
-  /// enlarged.
-  bool flyThroughImpacts(const StepInput& input, Balls& balls) {
+  void findQuarantined(const Balls& balls) {
+    quarantined_.clear();
+    for (std::uint32_t i = 0; i < balls.size(); ++i)
+      if (!isFinite(balls.state(i))) quarantined_.push_back(i);
+  }
+
+  /// All islands that go by exact impacts. False: a reach was too short and has been enlarged.
+  bool moveByEvents(const StepInput& input, ContactMethod method, World& world) {
+    Balls& balls = world.balls;
     islands_.find(plan_.ballContacts, plan_.arenaContacts, balls.size());
     for (std::size_t n = 0; n < islands_.count(); ++n) {
       const auto island = islands_.balls(n);
       if (std::any_of(island.begin(), island.end(), [&](auto i) { return isLeaning_[i] != 0; }))
         continue;
+      if (method == ContactMethod::Auto && isCrowd(world.settings, island, balls, inSubsteps_)) {
+        for (const std::uint32_t i : island) nextInSubsteps_[i] = 1;
+        continue;
+      }
       const IslandFate fate = exact_.run(input, island, islands_.pairs(n), reach_, balls);
       if (fate == IslandFate::TooFar) return false;
-      if (fate != IslandFate::Done) continue;
+      if (fate == IslandFate::TooMany && method == ContactMethod::Exact) giveUp(world, island);
+      if (fate != IslandFate::Done) {
+        ++counts_.handedOver;
+        continue;
+      }
       for (const std::uint32_t i : island) isDone_[i] = 1;
       counts_.impacts += exact_.counts().impacts;
+      counts_.clusters += exact_.counts().clusters;
       counts_.exactBalls += static_cast<std::int64_t>(island.size());
     }
     const auto isDone = [&](const Contact& c) { return isDone_[c.a] != 0; };
     std::erase_if(plan_.ballContacts, isDone);
     std::erase_if(plan_.arenaContacts, isDone);
     return true;
+  }
+
+  [[noreturn]] void giveUp(World& world, std::span<const std::uint32_t> island) {
+    world.balls = start_;
+    throw std::runtime_error(fmt::format(
+        "step {}: ball {} and {} others that may meet it have more than {} elastic impacts in one "
+        "step; allow more (MostImpacts), make Dt shorter, or let ContactMethod auto choose",
+        world.step, island[0], island.size() - 1, world.settings.mostImpacts));
   }
 
   /// How many balls went further than their reach; theirs are enlarged.
@@ -189,7 +258,7 @@ class Simulation : public Stepper {
     plan_.touching.clear();
     plan_.drifting.clear();
     for (std::uint32_t i = 0; i < isTouching_.size(); ++i) {
-      if (isDone_[i]) continue;
+      if (isDone_[i] || std::isnan(reach_[i])) continue;
       auto& list = isLeaning_[i] ? plan_.drifting : isTouching_[i] ? plan_.touching : plan_.free;
       list.push_back(i);
     }
@@ -215,6 +284,10 @@ class Simulation : public Stepper {
   std::vector<std::uint8_t> isLeaning_;  // ghosts that touch ghosts
   std::vector<Contact> oldBallContacts_;
   std::vector<Contact> oldArenaContacts_;
+  std::vector<std::uint8_t> inSubsteps_;      // by ball, see StepperMemory
+  std::vector<std::uint8_t> nextInSubsteps_;  // of the step at hand
+  std::vector<std::uint32_t> quarantined_;
+  mutable StepperMemory memory_;  // made when asked for
 };
 
 }  // namespace

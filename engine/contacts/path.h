@@ -1,0 +1,52 @@
+// The path of one ball within a step, from its last event on: in flight, or held by the ground on
+// which it rolls or slides. Dense output, and bounds on how much the path bends.
+#pragma once
+
+#include <cstdint>
+
+#include "contacts/contact.h"
+#include "flight/integrators.h"
+
+namespace wells {
+
+/// What all balls of a step share.
+struct PathModel {
+  const Field* field = nullptr;
+  const Integrator* integrator = nullptr;
+  const Arena* arena = nullptr;
+  double drag = 1;      // velocity factor per second
+  double friction = 0;  // Coulomb's coefficient
+};
+
+enum class Motion : std::uint8_t {
+  Flying,
+  Rolling,  // on the ground, without slip
+  Sliding   // on the ground
+};
+
+/// A ball that had `state` at `start` (s since the start of the step) and moves on since.
+struct Path {
+  BallState state;
+  double start = 0;   // s
+  double radius = 0;  // m
+  Motion motion = Motion::Flying;
+};
+
+/// The path that begins with `state` at time t. Where the ball touches the ground, does not leave
+/// it and is pressed to it, the ground holds it: its height, its vertical velocity and, if it
+/// rolls, its spin are then made exact.
+Path pathFrom(const PathModel& model, const BallState& state, double radius, double t);
+
+/// The state at t >= path.start: one flight, or one integration of the rolling or sliding ball,
+/// from `start`, so that a path has its method's order whatever time it is asked for.
+BallState stateAt(const PathModel& model, const Path& path, double t);
+
+/// Bound (m/s^2) on the acceleration of a ball that has state `now` at time t, during the next
+/// `duration` seconds. In flight by wells and drag alone; gravity is not in it. On the ground on
+/// the horizontal acceleration, whatever its source. Rigorous for the true path: a well of strength
+/// S and softening e pulls at most 2 S / (3 sqrt(3) e^2) and changes by at most S / e^3 per metre.
+/// Exactly 0 without wells, drag and sliding friction.
+double accelerationBound(const PathModel& model, Motion motion, const BallState& now, double t,
+                         double duration);
+
+}  // namespace wells

@@ -1,0 +1,266 @@
+#include "contacts/support.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "math/elementary.h"
+
+namespace wells {
+namespace {
+
+constexpr double kSlipRatio = 1 + 1 / kInertiaFactor;  // du/dt over dv/dt of friction, 7/2
+constexpr double kSlipNoise = 1e-13;                   // of the speeds that a slip is made of
+
+/// A vector in the ground's plane.
+struct Flat {
+  double x = 0;
+  double z = 0;
+};
+
+Flat operator+(Flat a, Flat b) {
+  return {a.x + b.x, a.z + b.z};
+}
+Flat operator-(Flat a, Flat b) {
+  return {a.x - b.x, a.z - b.z};
+}
+Flat operator*(double s, Flat a) {
+  return {s * a.x, s * a.z};
+}
+double dot(Flat a, Flat b) {
+  return a.x * b.x + a.z * b.z;
+}
+double length(Flat a) {
+  return std::sqrt(dot(a, a));
+}
+Flat flat(const Vec3& a) {
+  return {a.x(), a.z()};
+}
+
+/// u = v + w x (-r n).
+Flat slipOf(const BallState& ball, double radius) {
+  return {ball.velocity.x() + radius * ball.spin.z(), ball.velocity.z() - radius * ball.spin.x()};
+}
+
+/// The spin that makes the slip `slip`; that about the normal stays.
+void setSlip(BallState& ball, double radius, Flat slip) {
+  ball.spin.z() = (slip.x - ball.velocity.x()) / radius;
+  ball.spin.x() = (ball.velocity.z() - slip.z) / radius;
+}
+
+double slipNoise(const BallState& ball, double radius) {
+  return kSlipNoise * (wells::length(ball.velocity) + radius * wells::length(ball.spin));
+}
+
+/// Forces per mass on a ball held by the ground.
+struct Load {
+  Flat pull;            // along the ground
+  double pressing = 0;  // into it
+};
+
+Load loadAt(const PathModel& model, double height, Flat place, Flat velocity, double k, double t) {
+  const Vec3 a = acceleration(*model.field, {place.x, height, place.z}, t);
+  return {flat(a) - k * velocity, -a.y()};
+}
+
+double dragRate(const PathModel& model) {
+  return model.drag == 1 ? 0 : -naturalLogarithm(model.drag);
+}
+
+Load loadOn(const PathModel& model, const BallState& ball, double t) {
+  return loadAt(model, ball.position.y(), flat(ball.position), flat(ball.velocity), dragRate(model),
+                t);
+}
+
+bool canRoll(const PathModel& model, const Load& load) {
+  return (1 - 1 / (1 + kInertiaFactor)) * length(load.pull) <= model.friction * load.pressing;
+}
+
+struct Held {
+  Flat place, velocity, slip;
+};
+
+struct Rate {
+  Flat velocity, pull, slip;
+};
+
+/// The right-hand side. Friction never turns past a right angle from the direction in which it
+/// began: what slips the other way has begun to roll before, and only the search for that time
+/// asks.
+class Rates {
+ public:
+  Rates(const PathModel& model, const Path& path)
+      : model_(model), motion_(path.motion), height_(path.state.position.y()), k_(dragRate(model)) {
+    if (motion_ != Motion::Sliding) return;
+    const Flat slip = slipOf(path.state, path.radius);
+    const double size = length(slip);
+    noise_ = slipNoise(path.state, path.radius);
+    const Flat along = size > noise_ ? slip : loadOn(model, path.state, path.start).pull;
+    const double total = length(along);
+    if (total > 0) first_ = (1 / total) * along;
+    // Nothing turns a slip but a pull.
+    turns_ = !model.field->wells.empty() || k_ > 0 || length(flat(model.field->gravity)) > 0;
+  }
+
+  Flat firstDirection() const { return first_; }
+
+  Rate operator()(const Held& now, double t) const {
+    const Load load = loadAt(model_, height_, now.place, now.velocity, k_, t);
+    if (motion_ == Motion::Rolling)
+      return {now.velocity, (1 / (1 + kInertiaFactor)) * load.pull, {}};
+    const Flat friction = (-model_.friction * load.pressing) * direction(now.slip);
+    return {now.velocity, load.pull + friction, load.pull + kSlipRatio * friction};
+  }
+
+ private:
+  Flat direction(Flat slip) const {
+    if (!turns_ || dot(slip, first_) <= noise_) return first_;
+    return (1 / length(slip)) * slip;
+  }
+
+  const PathModel& model_;
+  Motion motion_;
+  double height_;
+  double k_;
+  double noise_ = 0;
+  bool turns_ = false;
+  Flat first_;
+};
+
+Held step(const Rates& rates, const Held& y, double t, double h) {
+  const auto moved = [&](const Rate& r, double s) -> Held {
+    return {y.place + s * r.velocity, y.velocity + s * r.pull, y.slip + s * r.slip};
+  };
+  const auto sum = [](Flat a, Flat b, Flat c, Flat d) { return a + 2 * (b + c) + d; };
+  const Rate a = rates(y, t);
+  const Rate b = rates(moved(a, h / 2), t + h / 2);
+  const Rate c = rates(moved(b, h / 2), t + h / 2);
+  const Rate d = rates(moved(c, h), t + h);
+  return {y.place + (h / 6) * sum(a.velocity, b.velocity, c.velocity, d.velocity),
+          y.velocity + (h / 6) * sum(a.pull, b.pull, c.pull, d.pull),
+          y.slip + (h / 6) * sum(a.slip, b.slip, c.slip, d.slip)};
+}
+
+/// The first sign change of f from > 0 at `low` to <= 0 at `high`: false position, kept safe by
+/// bisection (Illinois: Dowell & Jarratt, BIT 11 (1971) 168). Returns the side where f <= 0.
+template <class F>
+double zeroOf(F f, double low, double atLow, double high, double atHigh) {
+  double lowWeight = atLow;
+  double highWeight = atHigh;
+  for (int look = 0; look < 200; ++look) {
+    double t = look % 4 == 3 ? low + (high - low) / 2
+                             : low + (high - low) * (lowWeight / (lowWeight - highWeight));
+    if (!(t > low && t < high)) t = low + (high - low) / 2;
+    if (!(t > low && t < high)) break;
+    const double value = f(t);
+    if (value > 0) {
+      low = t;
+      lowWeight = value;
+      highWeight /= 2;
+    } else {
+      high = t;
+      highWeight = value;
+      lowWeight /= 2;
+      if (value == 0) break;
+    }
+  }
+  return high;
+}
+
+/// > 0 while the motion of `path` goes on; <= 0 where it has ended.
+double continuation(const PathModel& model, const Path& path, Flat firstSlip, double t) {
+  const BallState now = stateAt(model, path, t);
+  const Load load = loadOn(model, now, t);
+  // Whichever is nearer to its end, in m/s^2 of the force that it lacks.
+  if (path.motion == Motion::Rolling)
+    return std::min(load.pressing, model.friction * load.pressing -
+                                       (1 - 1 / (1 + kInertiaFactor)) * length(load.pull));
+  if (model.friction == 0) return load.pressing;
+  return std::min(load.pressing, dot(slipOf(now, path.radius), firstSlip));
+}
+
+}  // namespace
+
+bool isHeldByGround(const PathModel& model, const Path& path) {
+  const BallState& ball = path.state;
+  const Arena& arena = *model.arena;
+  const double size = std::abs(arena.center.y()) + std::abs(ball.position.y()) + path.radius;
+  if (std::abs(groundGap(arena, ball.position, path.radius)) > kClosedGap * size) return false;
+  if (withoutNoise(ball.velocity.y(), wells::length(ball.velocity)) != 0) return false;
+  return loadOn(model, ball, path.start).pressing > 0;
+}
+
+void holdOnGround(const PathModel& model, Path& path) {
+  BallState& ball = path.state;
+  ball.position.y() = model.arena->center.y() + path.radius;
+  ball.velocity.y() = 0;
+  const Flat slip = slipOf(ball, path.radius);
+  const Load load = loadOn(model, ball, path.start);
+  if (model.friction == 0 || length(slip) > slipNoise(ball, path.radius) || !canRoll(model, load)) {
+    path.motion = Motion::Sliding;
+    return;
+  }
+  path.motion = Motion::Rolling;
+  setSlip(ball, path.radius, {});
+}
+
+BallState heldStateAt(const PathModel& model, const Path& path, double t) {
+  const Rates rates(model, path);
+  Held now{flat(path.state.position), flat(path.state.velocity), slipOf(path.state, path.radius)};
+  double left = t - path.start;
+  double at = path.start;
+  const double stretch = model.field->stretch;
+  for (; left > stretch; left -= stretch, at += stretch) now = step(rates, now, at, stretch);
+  now = step(rates, now, at, left);
+  BallState ball = path.state;
+  ball.position.x() = now.place.x;
+  ball.position.z() = now.place.z;
+  ball.velocity.x() = now.velocity.x;
+  ball.velocity.z() = now.velocity.z;
+  if (path.motion == Motion::Rolling)
+    setSlip(ball, path.radius, {});
+  else if (model.friction > 0)
+    setSlip(ball, path.radius, now.slip);
+  return ball;
+}
+
+double endOfMotion(const PathModel& model, const Path& path, double until) {
+  // Without wells the load stays, and only friction on a slip ends anything.
+  const bool isSteady = model.field->wells.empty() && length(flat(model.field->gravity)) == 0;
+  if (isSteady && (path.motion == Motion::Rolling || model.friction == 0))
+    return std::numeric_limits<double>::infinity();
+  const Flat along = Rates(model, path).firstDirection();
+  const auto f = [&](double t) { return continuation(model, path, along, t); };
+  double low = path.start;
+  double atLow = f(low);
+  const double stretch = std::min(model.field->stretch, until - path.start);
+  for (double left = until - low; left > 0; left -= stretch) {
+    const double high = left > stretch ? low + stretch : until;
+    const double atHigh = f(high);
+    if (atHigh <= 0 && atLow > 0) return zeroOf(f, low, atLow, high, atHigh);
+    low = high;
+    atLow = atHigh;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+Path pathAfter(const PathModel& model, const Path& path, double end) {
+  BallState now = stateAt(model, path, end);
+  const Load load = loadOn(model, now, end);
+  if (!(load.pressing > 0)) return {now, end, path.radius, Motion::Flying};
+  if (path.motion == Motion::Rolling) return {now, end, path.radius, Motion::Sliding};
+  // The slip is over: the last of it, rounding, goes by the impulse that stops it.
+  const Flat slip = slipOf(now, path.radius);
+  if (length(slip) > 1e-9 * length(slipOf(path.state, path.radius)))
+    return {now, end, path.radius, Motion::Sliding};  // it has turned; on in its new direction
+  now.velocity.x() -= slip.x / kSlipRatio;
+  now.velocity.z() -= slip.z / kSlipRatio;
+  if (canRoll(model, load)) {
+    setSlip(now, path.radius, {});
+    return {now, end, path.radius, Motion::Rolling};
+  }
+  setSlip(now, path.radius, {});
+  return {now, end, path.radius, Motion::Sliding};
+}
+
+}  // namespace wells
