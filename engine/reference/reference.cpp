@@ -53,23 +53,28 @@ class ReferenceStepper : public Stepper {
     move(world);
     detect(world);
     resolve(world);
-    leftPosition_ = world.balls.position;
-    leftVelocity_ = world.balls.velocity;
+    carried().position = world.balls.position;
+    carried().velocity = world.balls.velocity;
     ++world.step;
   }
 
+  const StepperMemory* memory() const override { return &memory_; }
+  void restore(const StepperMemory& memory) override { memory_.carried = memory.carried; }
+
  private:
+  StepperMemory::Carried& carried() { return memory_.carried; }
+
   void takeUpChanges(const Balls& balls) {
-    const std::size_t known = leftPosition_.size() == balls.size() ? balls.size() : 0;
-    lastVelocity_.resize(balls.size());
-    force_.resize(balls.size());
+    const std::size_t known = carried().position.size() == balls.size() ? balls.size() : 0;
+    carried().lastVelocity.resize(balls.size());
+    carried().force.resize(balls.size());
     for (std::size_t i = 0; i < balls.size(); ++i) {
-      if (i < known && balls.position[i] == leftPosition_[i] &&
-          balls.velocity[i] == leftVelocity_[i]) {
+      if (i < known && balls.position[i] == carried().position[i] &&
+          balls.velocity[i] == carried().velocity[i]) {
         continue;
       }
-      lastVelocity_[i] = balls.velocity[i];
-      force_[i].setZero();
+      carried().lastVelocity[i] = balls.velocity[i];
+      carried().force[i].setZero();
     }
   }
 
@@ -77,19 +82,19 @@ class ReferenceStepper : public Stepper {
     const ReferenceStep step = stepOf(world);
     Balls& balls = world.balls;
     for (std::size_t i = 0; i < balls.size(); ++i) {
-      ReferenceBall ball{balls.position[i], balls.velocity[i], lastVelocity_[i],
-                         force_[i],         balls.mass[i],     1 / balls.mass[i]};
+      ReferenceBall ball{balls.position[i],  balls.velocity[i], carried().lastVelocity[i],
+                         carried().force[i], balls.mass[i],     1 / balls.mass[i]};
       method_.advance(step, ball);
       balls.position[i] = ball.position;
       balls.velocity[i] = ball.velocity;
-      lastVelocity_[i] = ball.lastVelocity;
-      force_[i] = ball.force;
+      carried().lastVelocity[i] = ball.lastVelocity;
+      carried().force[i] = ball.force;
     }
   }
 
   void detect(World& world) {
     manifold_.clear();
-    detectGround(world, force_, manifold_);
+    detectGround(world, carried().force, manifold_);
     detectWall(world, manifold_);
     detectPairs(world, pairs_, manifold_);
     counts_.contacts = static_cast<std::int64_t>(manifold_.size());
@@ -106,12 +111,7 @@ class ReferenceStepper : public Stepper {
   const Method& method_;
   const ReferenceOptions options_;
   StepCounts counts_;
-  // By ball.
-  std::vector<Vec3> lastVelocity_;
-  std::vector<Vec3> force_;
-  // What the last step left in the world, to notice changes from outside.
-  std::vector<Vec3> leftPosition_;
-  std::vector<Vec3> leftVelocity_;
+  StepperMemory memory_;  // what is carried
   // Kept for their memory.
   TouchingPairs pairs_;
   Manifold manifold_;

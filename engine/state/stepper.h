@@ -42,6 +42,15 @@ struct StepperMemory {
   std::vector<Contact> ballContacts;     // by (a, b)
   std::vector<Contact> arenaContacts;    // by (a, b)
   std::vector<std::uint8_t> inSubsteps;  // by ball, 1: its island went by substeps
+
+  /// What the balls of the custom integrator bring along; each list by ball.
+  struct Carried {
+    std::vector<Vec3> position;      // m, where the last step left it
+    std::vector<Vec3> velocity;      // m/s, likewise; a ball that differs was changed from outside
+    std::vector<Vec3> lastVelocity;  // m/s, at the start of the last step
+    std::vector<Vec3> force;         // N, of rolling, for the next step
+  };
+  Carried carried;
 };
 
 class Stepper {
