@@ -113,8 +113,9 @@ IslandFate ExactFlight::simulate(const StepInput& in, std::span<const Contact> p
 IslandFate ExactFlight::resolve(const StepInput& in, double time, Balls& balls) {
   const bool isElastic = in.settings.elasticity == 1;
   double elasticity = in.settings.elasticity;
-  if (settles(in, time, balls))
-    elasticity = 0;
+  const double pressing = pressingOfLoneBall(in, time, balls);
+  if (pressing > 0)
+    elasticity = settles(elasticity, pressing, balls) ? 0 : elasticity;
   else if (!isElastic && isTooSlow(in, time, balls))
     return IslandFate::Sustained;
   const std::int64_t impulses = resolveImpacts(elasticity, in.settings.friction, cluster_, balls);
@@ -126,14 +127,15 @@ IslandFate ExactFlight::resolve(const StepInput& in, double time, Balls& balls) 
   return counts_.impacts > kMostInelasticImpacts ? IslandFate::Sustained : IslandFate::Done;
 }
 
+double ExactFlight::pressingOfLoneBall(const StepInput& in, double time, const Balls& balls) const {
+  if (cluster_.size() != 1 || cluster_[0].b != kGround) return 0;
+  return -acceleration(*in.model.field, balls.position[cluster_[0].a], time).y();
+}
+
 // The flights that are left last 2 e v / (N (1 - e)) in all, N the pressing acceleration.
-bool ExactFlight::settles(const StepInput& in, double time, const Balls& balls) const {
-  if (cluster_.size() != 1 || cluster_[0].b != kGround) return false;
-  const std::uint32_t ball = cluster_[0].a;
-  const double e = in.settings.elasticity;
-  const double pressing = -acceleration(*in.model.field, balls.position[ball], time).y();
+bool ExactFlight::settles(double elasticity, double pressing, const Balls& balls) const {
   const double speed = closingSpeed(balls, cluster_[0]);
-  return pressing > 0 && 2 * e * speed <= kSettlingTime * dt_ * pressing * (1 - e);
+  return 2 * elasticity * speed <= kSettlingTime * dt_ * pressing * (1 - elasticity);
 }
 
 void ExactFlight::foreseeEndOfMotion(const StepInput& in, std::uint32_t ball) {

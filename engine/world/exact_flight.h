@@ -48,8 +48,9 @@ struct ExactCounts {
   std::int64_t clusters = 0;  // instants at which several of them hung together
 };
 
-/// What is left to the solver of lasting contacts: inelastic impacts (e < 1) slower than what the
-/// pressing acceleration builds up in half a substep, whose bounces would be shorter than one; and
+/// What is left to the solver of lasting contacts: inelastic impacts (e < 1), but for those of one
+/// ball with the ground alone, slower than what the pressing acceleration builds up in half a
+/// substep, whose bounces would be shorter than one; and
 /// islands with more inelastic impacts or changes of motion in one step than this. Elastic impacts
 /// are never too slow.
 inline constexpr std::int64_t kMostInelasticImpacts = 1000;
@@ -88,8 +89,10 @@ class ExactFlight {
                       Balls& balls);
   /// At an event, with the states of the cluster's balls in `balls`.
   IslandFate resolve(const StepInput& in, double time, Balls& balls);
-  /// True when the cluster is the last bounce of one ball on the ground that counts.
-  bool settles(const StepInput& in, double time, const Balls& balls) const;
+  /// m/s^2, to the ground, if the cluster is one ball that meets it alone; else 0.
+  double pressingOfLoneBall(const StepInput& in, double time, const Balls& balls) const;
+  /// True when the bounce of such a ball is the last that counts.
+  bool settles(double elasticity, double pressing, const Balls& balls) const;
   /// Adds the next impact of pair p. False: its contact lasts.
   bool foresee(const StepInput& in, std::span<const Contact> pairs, std::uint32_t p);
   void foreseeEndOfMotion(const StepInput& in, std::uint32_t ball);
