@@ -1,0 +1,129 @@
+// Every answer in exact_answers.cpp, derived again: by closed forms, by the event-driven reference
+// or by the power series of tests/support. Tolerances: the answers have 16 digits, and the scenes'
+// starts are rounded to doubles, which impacts magnify up to tenfold.
+#include "scenes/exact_answers.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <stdexcept>
+#include <string>
+
+#include "scenes/catalogue.h"
+#include "support/oracle_world.h"
+
+namespace wells {
+namespace {
+
+constexpr double kDigits = 2e-15;  // of the largest coordinate
+
+void expectAnswer(const char* scene, const std::vector<oracle::P>& end) {
+  const AccuracyCase& answer = findAccuracyCase(scene);
+  ASSERT_EQ(answer.end.size(), end.size()) << scene;
+  for (const auto& [ball, position] : answer.end) {
+    const Vec3 expected = oracle::vectorOf(end.at(ball));
+    for (int axis = 0; axis < 3; ++axis)
+      EXPECT_NEAR(position[axis], expected[axis], kDigits * std::max(1.0, length(expected)))
+          << scene << ", ball " << ball << ", axis " << axis;
+  }
+}
+
+TEST(ExactAnswers, AreOfScenesWhoseDefaultRunIsAsLong) {
+  std::set<std::string_view> seen;
+  for (const AccuracyCase& answer : accuracyCases()) {
+    const Scene& scene = findScene(answer.scene);
+    EXPECT_TRUE(seen.insert(answer.scene).second) << answer.scene << " stands twice";
+    EXPECT_EQ(static_cast<double>(scene.defaultSteps), answer.duration * 60) << answer.scene;
+    EXPECT_EQ(scene.fixedBalls, answer.end.size()) << answer.scene;
+    // Whole numbers of steps for dt = 1/6, 1/30, 1/60 ...
+    EXPECT_EQ(answer.duration * 6, std::round(answer.duration * 6)) << answer.scene;
+  }
+  EXPECT_THROW(findAccuracyCase("T1"), std::invalid_argument);
+}
+
+TEST(ExactAnswers, PositionErrorIsTheLargestDistance) {
+  const AccuracyCase& answer = findAccuracyCase("oblique-balls");
+  World world = makeScene(findScene("oblique-balls"));
+  for (const auto& [ball, position] : answer.end) world.balls.position[ball] = position;
+  EXPECT_EQ(positionError(answer, world), 0);
+  world.balls.position[0] += Vec3(0, 0.5, 0);
+  world.balls.position[1] += Vec3(3, 0, -4);
+  EXPECT_NEAR(positionError(answer, world), 5, 1e-14);
+  world.balls.position[0].x() = std::nan("");
+  EXPECT_TRUE(std::isinf(positionError(answer, world)));
+}
+
+TEST(ExactAnswers, ImpactsOneByOne) {
+  const std::pair<const char*, std::int64_t> cases[] = {{"bounce", 5},
+                                                        {"zeno", 5},
+                                                        {"oblique-ground", 2},
+                                                        {"oblique-balls", 1},
+                                                        {"friction-balls-stick", 1},
+                                                        {"friction-balls-slip", 1},
+                                                        {"billiard", 2},
+                                                        {"circle-billiard", 277},
+                                                        {"cradle", 4},
+                                                        {"galperin", 314},
+                                                        {"collapse-twin", 10}};
+  for (const auto& [name, hits] : cases) {
+    const World world = makeScene(findScene(name));
+    std::vector<oracle::Body> bodies = oracle::bodiesOf(world);
+    const oracle::Hits counted =
+        oracle::fly(oracle::rulesOf(world), bodies, findAccuracyCase(name).duration);
+    EXPECT_EQ(counted.count, hits) << name;
+    std::vector<oracle::P> end;
+    for (const oracle::Body& body : bodies) end.push_back(body.x);
+    expectAnswer(name, end);
+  }
+}
+
+// Fallen by h = 5 m it hits after t1 = sqrt(2 h / g); the flights then last 2 t1 e, 2 t1 e^2, ...,
+// all of them t1 (1 + e) / (1 - e) with the fall: 3.03 s for e = 0.5.
+TEST(ExactAnswers, ZenoRests) {
+  const World world = makeScene(findScene("zeno-rest"));
+  const oracle::Real e = world.settings.elasticity;
+  EXPECT_LT(std::sqrt(2 * 5 / 9.81L) * (1 + e) / (1 - e), findAccuracyCase("zeno-rest").duration);
+  expectAnswer("zeno-rest", {{0, 0.5L, 0}});
+}
+
+// Friction mu g against the slip v0 + r w0, of which it takes 7/2 mu g a second: it slides until
+// t1 = 2 (v0 + r w0) / (7 mu g) and rolls on with v0 - mu g t1.
+TEST(ExactAnswers, SlidingBecomesRolling) {
+  for (const char* name : {"slide-to-roll", "backspin", "backspin-return"}) {
+    const World world = makeScene(findScene(name));
+    const oracle::Real v0 = 5, r = 0.5L, g = 9.81L, mu = 0.3L, w0 = world.balls.spin[0].z();
+    const oracle::Real t1 = 2 * (v0 + r * w0) / (7 * mu * g);
+    const oracle::Real rest = findAccuracyCase(name).duration - t1;
+    ASSERT_GT(rest, 0);
+    expectAnswer(name,
+                 {{v0 * t1 - mu * g * t1 * t1 / 2 + (5 * v0 - 2 * r * w0) / 7 * rest, 0.5L, 0}});
+  }
+}
+
+// e = 0.05 < 7 - 4 sqrt(3): the middle of three closes on both others for ever faster impacts. The
+// sum of momenta is shared: v = 1/3 each; the centre of mass has moved on by t / 3 from 5.5 / 3,
+// and they stay 1 m apart.
+TEST(ExactAnswers, CollapseMovesAsOne) {
+  const oracle::Real middle = (5.5L + 6) / 3;
+  expectAnswer("collapse", {{middle - 1, 1, 0}, {middle, 1, 0}, {middle + 1, 1, 0}});
+}
+
+TEST(ExactAnswers, PathsAboutWells) {
+  for (const char* name : {"orbit", "orbit-short", "circular-orbit", "through-the-centre",
+                           "well-bounces", "well-bounces-long"}) {
+    const World world = makeScene(findScene(name));
+    oracle::Flyer ball{oracle::pointOf(world.balls.position[0]),
+                       oracle::pointOf(world.balls.velocity[0])};
+    oracle::flightOf(world).fly(ball, findAccuracyCase(name).duration);
+    expectAnswer(name, {ball.x});
+  }
+}
+
+// A circle of radius 10 m is travelled at angular speed sqrt(S / (r^2 + softening^2)^(3/2)).
+TEST(ExactAnswers, CircularOrbitIsACircle) {
+  const oracle::Real w = std::sqrt(1000 / std::pow(104.0L, 1.5L));
+  expectAnswer("circular-orbit", {{10 * std::cos(20 * w), 20, 10 * std::sin(20 * w)}});
+}
+
+}  // namespace
+}  // namespace wells
