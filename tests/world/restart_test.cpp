@@ -1,0 +1,170 @@
+// A run that is saved and goes on in a fresh engine has the bits of one that was never interrupted.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "contacts/contact.h"
+#include "reference/reference.h"
+#include "scenes/catalogue.h"
+#include "state/snapshot.h"
+#include "world/measures.h"
+#include "world/simulation.h"
+
+namespace wells {
+namespace {
+
+using Engine = std::function<std::unique_ptr<Stepper>()>;
+
+struct Case {
+  std::string name;
+  World world;
+  std::int64_t steps;
+  std::vector<std::int64_t> saves;  // at these steps
+};
+
+World movingWells() {
+  World world = makeScene(findScene("template"), 60);
+  world.tracks = {{.keyframes = {{0, {10, 1, 0}, 150}, {40, {-10, 1, 5}, -90}, {95, {0, 2, 9}, 0}}},
+                  {.keyframes = {{-20, {0, 1, 0}, 60}, {200, {20, 1, 20}, 60}}, .softening = 1}};
+  return world;
+}
+
+World withLostBall() {
+  World world = makeScene(findScene("T1"), 40);
+  world.balls.add({.position = {std::nan(""), 1, -0.0}}, 0.5, 1);
+  return world;
+}
+
+World withGhosts() {
+  World world = makeScene(findScene("T1"), 60);
+  for (std::size_t i = 0; i < world.balls.size(); ++i)
+    world.roles.push_back(i % 3 == 0 ? Role::Ghost : Role::Owned);
+  return world;
+}
+
+std::vector<Case> cases() {
+  return {{"T1", makeScene(findScene("T1"), 200), 150, {0, 1, 60, 61, 110}},
+          {"T2", makeScene(findScene("T2"), 100), 120, {1, 50}},
+          {"slide-to-roll", makeScene(findScene("slide-to-roll")), 180, {30, 100}},
+          {"bounce", makeScene(findScene("bounce")), 180, {17, 90}},
+          {"zeno", makeScene(findScene("zeno")), 360, {100, 300}},
+          {"moving wells", movingWells(), 220, {39, 40, 96, 180}},
+          {"a ball that is not finite", withLostBall(), 60, {1, 40}},
+          {"ghosts", withGhosts(), 90, {70}}};
+}
+
+// The hash after each step.
+std::vector<std::uint64_t> goOn(Stepper& stepper, World& world, std::int64_t end) {
+  std::vector<std::uint64_t> hashes;
+  while (world.step < end) {
+    stepper.step(world);
+    hashes.push_back(stateHash(world));
+  }
+  return hashes;
+}
+
+// Through bytes into a fresh engine, as another process would.
+Snapshot saved(const World& world, const Stepper& stepper) {
+  return decode(encode({world, *stepper.memory(), stepper.name()}));
+}
+
+void expectSameBits(const Case& c, const Engine& make) {
+  World whole = c.world;
+  const auto hashes = goOn(*make(), whole, c.steps);
+  for (const std::int64_t save : c.saves) {
+    World first = c.world;
+    const auto before = make();
+    goOn(*before, first, save);
+    Snapshot snapshot = saved(first, *before);
+    const auto after = make();
+    after->restore(snapshot.memory);
+    const auto rest = goOn(*after, snapshot.world, c.steps);
+    ASSERT_EQ(snapshot.world.step, c.steps);
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+      ASSERT_EQ(rest[i], hashes[static_cast<std::size_t>(save) + i])
+          << c.name << ", saved at step " << save << ", step " << save + static_cast<int>(i) + 1;
+    }
+  }
+}
+
+TEST(Restart, HasTheBitsOfAnUninterruptedRun) {
+  for (const ContactMethod method :
+       {ContactMethod::Substep, ContactMethod::Exact, ContactMethod::Auto}) {
+    for (Case c : cases()) {
+      SCOPED_TRACE(name(method));
+      c.world.settings.contactMethod = method;
+      expectSameBits(c, makeSimulation);
+    }
+  }
+}
+
+TEST(Restart, OfTheReferenceEnginesToo) {
+  for (const std::string_view engine : referenceNames()) {
+    SCOPED_TRACE(engine);
+    for (const Case& c : cases())
+      expectSameBits(c, [&] { return makeReference(*referenceVariant(engine)); });
+  }
+}
+
+// What is saved after each step is what an uninterrupted run would save: a run may be saved and
+// restored as often as one likes.
+TEST(Restart, AfterEveryStep) {
+  const World start = makeScene(findScene("T1"), 100);
+  World whole = start;
+  const auto hashes = goOn(*makeSimulation(), whole, 120);
+  Snapshot snapshot{start, {}};
+  for (std::size_t i = 0; i < hashes.size(); ++i) {
+    const auto stepper = makeSimulation();
+    stepper->restore(snapshot.memory);
+    stepper->step(snapshot.world);
+    ASSERT_EQ(stateHash(snapshot.world), hashes[i]) << "step " << i + 1;
+    snapshot = saved(snapshot.world, *stepper);
+  }
+}
+
+// The cases above are worth something only where the memory matters.
+TEST(Restart, WithoutMemoryHasOtherBits) {
+  for (const ContactMethod method : {ContactMethod::Substep, ContactMethod::Auto}) {
+    World world = makeScene(findScene("T1"), 200);
+    world.settings.contactMethod = method;
+    const auto stepper = makeSimulation();
+    goOn(*stepper, world, 110);
+    EXPECT_FALSE(stepper->memory()->ballContacts.empty());
+    EXPECT_FALSE(stepper->memory()->arenaContacts.empty());
+    World forgetful = world;
+    EXPECT_NE(goOn(*makeSimulation(), forgetful, 112), goOn(*stepper, world, 112));
+  }
+  World world = movingWells();
+  const auto stepper = makeReference(ReferenceVariant::ImprovedEuler);
+  goOn(*stepper, world, 60);
+  World forgetful = world;
+  EXPECT_NE(goOn(*makeReference(ReferenceVariant::ImprovedEuler), forgetful, 62),
+            goOn(*stepper, world, 62));
+}
+
+// A ball that was changed from outside just before the save starts afresh, saved or not.
+TEST(Restart, KeepsWhatWasChangedFromOutside) {
+  World world = movingWells();
+  const auto stepper = makeReference(ReferenceVariant::ImprovedEuler);
+  goOn(*stepper, world, 20);
+  world.balls.velocity[7] = {3, 1, -2};
+  Snapshot snapshot = saved(world, *stepper);
+  const auto after = makeReference(ReferenceVariant::ImprovedEuler);
+  after->restore(snapshot.memory);
+  EXPECT_EQ(goOn(*after, snapshot.world, 40), goOn(*stepper, world, 40));
+}
+
+// snapshot_check.cpp, floors below, knows the partners by number.
+TEST(Restart, KnowsGroundAndWall) {
+  StepperMemory memory;
+  memory.arenaContacts = {{.a = 0, .b = kWall}, {.a = 0, .b = kGround}};
+  const Snapshot snapshot{makeScene(findScene("bounce")), memory};
+  EXPECT_EQ(decode(encode(snapshot)).memory.arenaContacts[1].b, kGround);
+}
+
+}  // namespace
+}  // namespace wells
