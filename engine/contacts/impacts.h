@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <span>
 
-#include "contacts/contact.h"
+#include "contacts/ledger.h"
 
 namespace wells {
 
@@ -20,7 +20,7 @@ namespace wells {
 /// friction within a cluster. For e < 1 what still closes after kMostReflections rounds is brought
 /// to rest. Returns how many impulses were given: contacts, summed over the rounds.
 std::int64_t resolveImpacts(double elasticity, double friction, std::span<Contact> contacts,
-                            Balls& balls);
+                            Balls& balls, const Ledger& ledger = {});
 
 inline constexpr int kMostReflections = 200;
 

@@ -7,76 +7,10 @@ namespace {
 
 // Share of a remaining overlap between balls that one substep pushes out. All of it at once makes a
 // heap hop: each push-out creates the neighbour's overlap. The arena does not give way: all.
-constexpr double kPushOutBalls = 0.6;
-constexpr double kPushOutArena = 1.0;
-
-// Angular velocity times radius that a tangent impulse of 1 N s gives a ball of 1 kg: r^2 m / I.
-constexpr double kSpinFactor = 1 / kInertiaFactor;
-
-// The partner of a ball: another ball, or the arena, which does not move. Both offer the same
-// handful of operations, so that the solver is written once and compiled twice.
-struct BallPartner {
-  static constexpr double kPushOut = kPushOutBalls;
-  static void touch(const Arena&, const Balls& balls, Contact& c) { touchBalls(balls, c); }
-  static double inverseMass(const Balls& balls, const Contact& c) { return 1 / balls.mass[c.b]; }
-  static Vec3 velocity(const Vec3* velocities, const Contact& c) { return velocities[c.b]; }
-  static Vec3 surfaceSpin(const Balls& balls, const Contact& c) {
-    return balls.radius[c.b] * balls.spin[c.b];
-  }
-  static void push(Balls& balls, const Contact& c, const Vec3& impulse) {
-    balls.velocity[c.b] += c.inverseMassB * impulse;
-  }
-  static void twist(Balls& balls, const Contact& c, const Vec3& torquePerRadius) {
-    balls.spin[c.b] += (kSpinFactor * c.inverseMassB / balls.radius[c.b]) * torquePerRadius;
-  }
-  static void shift(Balls& balls, const Contact& c, const Vec3& massTimesDistance) {
-    balls.position[c.b] += c.inverseMassB * massTimesDistance;
-  }
-};
-
-struct ArenaPartner {
-  static constexpr double kPushOut = kPushOutArena;
-  static void touch(const Arena& arena, const Balls& balls, Contact& c) {
-    touchArena(arena, balls, c);
-  }
-  static double inverseMass(const Balls&, const Contact&) { return 0; }
-  static Vec3 velocity(const Vec3*, const Contact&) { return Vec3::Zero(); }
-  static Vec3 surfaceSpin(const Balls&, const Contact&) { return Vec3::Zero(); }
-  static void push(Balls&, const Contact&, const Vec3&) {}
-  static void twist(Balls&, const Contact&, const Vec3&) {}
-  static void shift(Balls&, const Contact&, const Vec3&) {}
-};
-
-double normalMass(const Contact& c) {
-  return 1 / (c.inverseMassA + c.inverseMassB);
-}
-
-// 1/m + r^2/I for each of the two spheres: inertia is a number, so the tangent plane has one mass.
-double tangentMass(const Contact& c) {
-  return normalMass(c) / (1 + kSpinFactor);
-}
-
-// Impulse on a; the partner gets the opposite.
 template <class Partner>
-void applyImpulse(Balls& balls, const Contact& c, const Vec3& impulse) {
-  balls.velocity[c.a] += c.inverseMassA * impulse;
-  Partner::push(balls, c, -impulse);
-}
-
-// Impulse in the tangent plane. It acts at r_a n from a and at -r_b n from b, so both spins change
-// in the same sense.
-template <class Partner>
-void applyTangentImpulse(Balls& balls, const Contact& c, const Vec3& impulse) {
-  applyImpulse<Partner>(balls, c, impulse);
-  const Vec3 torquePerRadius = cross(c.normal, impulse);
-  balls.spin[c.a] += (kSpinFactor * c.inverseMassA / balls.radius[c.a]) * torquePerRadius;
-  Partner::twist(balls, c, torquePerRadius);
-}
-
-template <class Partner>
-double closingSpeed(const Vec3* velocities, const Contact& c) {
-  return dot(velocities[c.a] - Partner::velocity(velocities, c), c.normal);
-}
+constexpr double kPushOut = 0.6;
+template <>
+constexpr double kPushOut<ArenaPartner> = 1.0;
 
 // Geometry, masses and the bounce, from the state before any impulse of this substep.
 template <class Partner>
@@ -100,35 +34,43 @@ void prepare(const Settings& settings, const Arena& arena, const Vec3* velocityB
 }
 
 template <class Partner>
-void warmStart(Balls& balls, Contact& c) {
-  if (c.normalImpulse == 0) return;
-  c.tangentImpulse -= dot(c.tangentImpulse, c.normal) * c.normal;  // the normal has turned
-  applyImpulse<Partner>(balls, c, -c.normalImpulse * c.normal);
-  applyTangentImpulse<Partner>(balls, c, c.tangentImpulse);
+void pushApart(Balls& balls, const Contact& c, double impulse, const Ledger& ledger) {
+  if (ledger) bookNormal(ledger, c, impulse, closingSpeed<Partner>(balls.velocity.data(), c));
+  applyImpulse<Partner>(balls, c, -impulse * c.normal);
 }
 
 template <class Partner>
-void solveNormal(Balls& balls, Contact& c) {
+void rub(Balls& balls, const Contact& c, const Vec3& impulse, const Ledger& ledger) {
+  if (ledger) bookTangent(ledger, c, impulse, slipVelocity<Partner>(balls, c));
+  applyTangentImpulse<Partner>(balls, c, impulse);
+}
+
+template <class Partner>
+void warmStart(Balls& balls, Contact& c, const Ledger& ledger) {
+  if (c.normalImpulse == 0) return;
+  c.tangentImpulse -= dot(c.tangentImpulse, c.normal) * c.normal;  // the normal has turned
+  pushApart<Partner>(balls, c, c.normalImpulse, ledger);
+  rub<Partner>(balls, c, c.tangentImpulse, ledger);
+}
+
+template <class Partner>
+void solveNormal(Balls& balls, Contact& c, const Ledger& ledger) {
   const double closing = closingSpeed<Partner>(balls.velocity.data(), c);
   const double total = std::max(0.0, c.normalImpulse + normalMass(c) * (closing + c.bounceSpeed));
   const double change = total - c.normalImpulse;
   c.normalImpulse = total;
-  applyImpulse<Partner>(balls, c, -change * c.normal);
+  pushApart<Partner>(balls, c, change, ledger);
 }
 
 template <class Partner>
-void solveTangent(double friction, Balls& balls, Contact& c) {
-  // Relative velocity of the two surfaces at the contact point.
-  Vec3 slip = balls.velocity[c.a] - Partner::velocity(balls.velocity.data(), c) +
-              cross(balls.radius[c.a] * balls.spin[c.a] + Partner::surfaceSpin(balls, c), c.normal);
-  slip -= dot(slip, c.normal) * c.normal;
-  Vec3 total = c.tangentImpulse - tangentMass(c) * slip;
+void solveTangent(double friction, Balls& balls, Contact& c, const Ledger& ledger) {
+  Vec3 total = c.tangentImpulse - tangentMass(c) * slipVelocity<Partner>(balls, c);
   const double limit = friction * c.normalImpulse;
   const double size = length(total);
   if (size > limit) total *= limit / size;
   const Vec3 change = total - c.tangentImpulse;
   c.tangentImpulse = total;
-  applyTangentImpulse<Partner>(balls, c, change);
+  rub<Partner>(balls, c, change, ledger);
 }
 
 // A contact that rests carried its impulse evenly over the substep: a constant force moves a ball
@@ -150,7 +92,7 @@ void pushOut(const Arena& arena, double h, Balls& balls, Contact& c) {
   const double leaving = std::max(0.0, -closingSpeed<Partner>(balls.velocity.data(), c)) * h;
   const double depth = -c.gap - leaving;
   if (depth <= 0) return;
-  const Vec3 shift = (Partner::kPushOut * depth * normalMass(c)) * c.normal;
+  const Vec3 shift = (kPushOut<Partner> * depth * normalMass(c)) * c.normal;
   balls.position[c.a] -= c.inverseMassA * shift;
   Partner::shift(balls, c, shift);
 }
@@ -165,19 +107,35 @@ void forEach(const ContactLists& contacts, Action action) {
 }  // namespace
 
 void resolveContacts(const Settings& settings, const Arena& arena, double h,
-                     const ContactLists& contacts, const Vec3* velocityBefore, Balls& balls) {
+                     const ContactLists& contacts, const Vec3* velocityBefore, Balls& balls,
+                     const SubstepBooks* booking) {
+  const Ledger ledger = booking ? booking->ledger : Ledger{};
+  const auto placement = [&] {
+    return placementOf(ledger, *booking->field, booking->end, booking->touching, balls);
+  };
   forEach(contacts, [&]<class Partner>(Contact& c) {
     prepare<Partner>(settings, arena, velocityBefore, balls, c);
   });
-  forEach(contacts, [&]<class Partner>(Contact& c) { warmStart<Partner>(balls, c); });
+  forEach(contacts, [&]<class Partner>(Contact& c) { warmStart<Partner>(balls, c, ledger); });
   for (int pass = 0; pass < settings.iterations; ++pass)
     forEach(contacts, [&]<class Partner>(Contact& c) {
       if (c.gap > 0) return;
-      solveNormal<Partner>(balls, c);
-      if (settings.friction > 0) solveTangent<Partner>(settings.friction, balls, c);
+      solveNormal<Partner>(balls, c, ledger);
+      if (settings.friction > 0) solveTangent<Partner>(settings.friction, balls, c, ledger);
     });
+  const Placement solved = booking ? placement() : Placement{};
+  if (booking)
+    for (const Contact& c : contacts.arena)
+      bookArena(ledger, c, c.tangentImpulse - c.normalImpulse * c.normal, balls);
   forEach(contacts, [&]<class Partner>(Contact& c) { shiftByContactForce<Partner>(h, balls, c); });
+  const Placement shifted = booking ? placement() : Placement{};
   forEach(contacts, [&]<class Partner>(Contact& c) { pushOut<Partner>(arena, h, balls, c); });
+  if (!booking) return;
+  const Placement pushed = placement();
+  Books& books = *ledger.books;
+  books.contacts += shifted.potential - solved.potential;
+  books.pushOut += pushed.potential - shifted.potential;
+  books.shifts.angular += pushed.angular - solved.angular;
 }
 
 }  // namespace wells

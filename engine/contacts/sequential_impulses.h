@@ -6,7 +6,7 @@
 
 #include <span>
 
-#include "contacts/contact.h"
+#include "contacts/ledger.h"
 #include "state/settings.h"
 
 namespace wells {
@@ -16,6 +16,14 @@ namespace wells {
 struct ContactLists {
   std::span<Contact> balls;
   std::span<Contact> arena;
+};
+
+/// What booking a substep takes.
+struct SubstepBooks {
+  Ledger ledger;
+  const Field* field;
+  double end;                               // s since the start of the step
+  std::span<const std::uint32_t> touching;  // all balls of the contacts, each once
 };
 
 /// Ends a substep of h seconds: the balls have flown it without regard to each other, and
@@ -28,10 +36,11 @@ struct ContactLists {
 ///    mu times the normal impulse suffices, else it has that size;
 /// and positions so that a force of contact acts over the substep as a constant force would, and
 /// what overlap remains is pushed out. Push-out changes no velocity.
-/// Starts from the impulses that `contacts` hold from the substep before (zero is fine) and leaves
-/// the new ones there.
+/// `booking` may be null. Starts from the impulses that `contacts` hold from the substep before
+/// (zero is fine) and leaves the new ones there.
 void resolveContacts(const Settings& settings, const Arena& arena, double h,
-                     const ContactLists& contacts, const Vec3* velocityBefore, Balls& balls);
+                     const ContactLists& contacts, const Vec3* velocityBefore, Balls& balls,
+                     const SubstepBooks* booking = nullptr);
 
 inline constexpr double kRestFactor = 2;
 

@@ -44,13 +44,29 @@ inline Vec3 acceleration(const Field& field, const Vec3& position, double t) {
   return sum;
 }
 
-/// Potential energy per mass (m^2/s^2) at `position`, at the start of the step. Gravity's is zero
-/// at `origin`.
-inline double potential(const Field& field, const Vec3& position, const Vec3& origin) {
+/// Potential energy per mass (m^2/s^2) at `position`, `t` seconds after the start of the step.
+/// Gravity's is zero at `origin`.
+inline double potentialAt(const Field& field, const Vec3& position, const Vec3& origin, double t) {
   double sum = -dot(field.gravity, position - origin);
   for (const Well& well : field.wells) {
-    const Vec3 d = well.position - position;
+    const Vec3 d = well.position + well.velocity * t - position;
     sum -= well.strength / std::sqrt(squaredLength(d) + well.softening * well.softening);
+  }
+  return sum;
+}
+
+/// The same at the start of the step.
+inline double potential(const Field& field, const Vec3& position, const Vec3& origin) {
+  return potentialAt(field, position, origin, 0);
+}
+
+/// By how much (m^2/s^3) the potential at a fixed position changes because wells move.
+inline double potentialRate(const Field& field, const Vec3& position, double t) {
+  double sum = 0;
+  for (const Well& well : field.wells) {
+    const Vec3 d = well.position + well.velocity * t - position;
+    const double s2 = squaredLength(d) + well.softening * well.softening;
+    sum += well.strength * dot(d, well.velocity) / (s2 * std::sqrt(s2));
   }
   return sum;
 }

@@ -29,11 +29,20 @@ bool mayTouchArena(const Arena& arena, const Vec3& position, double radius, doub
   return gap <= reach;
 }
 
-void advance(const Settings& settings, const Arena& arena, const Field& field,
-             const Integrator& integrator, StepPlan& plan, Balls& balls) {
+void advance(const Settings& settings, const PathModel& model, StepPlan& plan, Balls& balls,
+             Books* books) {
   Vec3* const position = balls.position.data();
   Vec3* const velocity = balls.velocity.data();
-  flyThrough(integrator, {&field, 0, settings.dt, settings.drag}, plan.free, position, velocity);
+  const Ledger ledger{books, model.arena->center};
+  const auto fly = [&](double start, double duration, const std::vector<std::uint32_t>& list) {
+    if (ledger)
+      for (const std::uint32_t i : list)
+        bookPath(ledger, model, {balls.state(i), start, balls.radius[i]}, balls.mass[i],
+                 start + duration);
+    flyThrough(*model.integrator, {model.field, start, duration, model.drag}, list, position,
+               velocity);
+  };
+  fly(0, settings.dt, plan.free);
 
   const double h = settings.dt / settings.substeps;
   plan.velocityBefore.resize(balls.size());
@@ -44,10 +53,10 @@ void advance(const Settings& settings, const Arena& arena, const Field& field,
       plan.velocityBefore[i] = velocity[i];
       position[i] += velocity[i] * h;
     }
-    flyThrough(integrator, {&field, substep * h, h, settings.drag}, plan.touching, position,
-               velocity);
-    resolveContacts(settings, arena, h, {plan.ballContacts, plan.arenaContacts},
-                    plan.velocityBefore.data(), balls);
+    fly(substep * h, h, plan.touching);
+    const SubstepBooks booking{ledger, model.field, (substep + 1) * h, plan.touching};
+    resolveContacts(settings, *model.arena, h, {plan.ballContacts, plan.arenaContacts},
+                    plan.velocityBefore.data(), balls, books ? &booking : nullptr);
   }
 }
 

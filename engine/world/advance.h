@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "contacts/contact.h"
-#include "flight/integrators.h"
+#include "contacts/path.h"
+#include "state/books.h"
 #include "state/world.h"
 
 namespace wells {
@@ -36,8 +36,8 @@ bool mayTouchArena(const Arena& arena, const Vec3& position, double radius, doub
                    std::uint32_t partner);
 
 /// Advances all balls of the plan by settings.dt: the free ones in one flight, the others in
-/// substeps.
-void advance(const Settings& settings, const Arena& arena, const Field& field,
-             const Integrator& integrator, StepPlan& plan, Balls& balls);
+/// substeps. Books it unless `books` is null.
+void advance(const Settings& settings, const PathModel& model, StepPlan& plan, Balls& balls,
+             Books* books = nullptr);
 
 }  // namespace wells

@@ -39,6 +39,7 @@ IslandFate ExactFlight::run(const StepInput& in, std::span<const std::uint32_t> 
     for (const std::uint32_t j : island) balls.setState(j, start_[j]);
     return IslandFate::TooFar;
   }
+  for (const std::uint32_t i : island) book(in, i, dt_, balls);
   return fate;
 }
 
@@ -46,6 +47,8 @@ void ExactFlight::begin(const StepInput& in, std::span<const std::uint32_t> isla
                         std::span<const Contact> pairs, const Balls& balls) {
   dt_ = in.settings.dt;
   counts_ = {};
+  books_ = {};
+  ledger_ = {keepsBooks_ ? &books_ : nullptr, in.model.arena->center};
   motionsEnded_ = 0;
   events_.clear();
   path_.resize(balls.size());
@@ -93,6 +96,7 @@ IslandFate ExactFlight::simulate(const StepInput& in, std::span<const Contact> p
       if (++motionsEnded_ > kMostInelasticImpacts) return IslandFate::Sustained;
       cluster_.clear();
       clusterBalls_.assign(1, event.ball);
+      book(in, event.ball, event.time, balls);
       path_[event.ball] = pathAfter(in.model, path_[event.ball], event.time);
       ++version_[event.ball];
     } else {
@@ -101,6 +105,7 @@ IslandFate ExactFlight::simulate(const StepInput& in, std::span<const Contact> p
       if (fate != IslandFate::Done) return fate;
       for (const std::uint32_t i : clusterBalls_) {
         if (isTooFar(i, balls, reach)) return IslandFate::TooFar;
+        book(in, i, event.time, balls);
         path_[i] = pathFrom(in.model, balls.state(i), path_[i].radius, event.time);
         ++version_[i];
       }
@@ -118,7 +123,8 @@ IslandFate ExactFlight::resolve(const StepInput& in, double time, Balls& balls) 
     elasticity = settles(elasticity, pressing, balls) ? 0 : elasticity;
   else if (!isElastic && isTooSlow(in, time, balls))
     return IslandFate::Sustained;
-  const std::int64_t impulses = resolveImpacts(elasticity, in.settings.friction, cluster_, balls);
+  const std::int64_t impulses =
+      resolveImpacts(elasticity, in.settings.friction, cluster_, balls, ledger_);
   if (impulses == 0) return IslandFate::Sustained;  // it touches and does not close: it lasts
   counts_.impacts += impulses;
   if (cluster_.size() > 1) ++counts_.clusters;
@@ -136,6 +142,10 @@ double ExactFlight::pressingOfLoneBall(const StepInput& in, double time, const B
 bool ExactFlight::settles(double elasticity, double pressing, const Balls& balls) const {
   const double speed = closingSpeed(balls, cluster_[0]);
   return 2 * elasticity * speed <= kSettlingTime * dt_ * pressing * (1 - elasticity);
+}
+
+void ExactFlight::book(const StepInput& in, std::uint32_t i, double t, const Balls& balls) {
+  if (ledger_) bookPath(ledger_, in.model, path_[i], balls.mass[i], t);
 }
 
 void ExactFlight::foreseeEndOfMotion(const StepInput& in, std::uint32_t ball) {

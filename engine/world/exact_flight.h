@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "contacts/path.h"
+#include "contacts/ledger.h"
 #include "state/world.h"
 
 namespace wells {
@@ -68,8 +68,12 @@ class ExactFlight {
   IslandFate run(const StepInput& in, std::span<const std::uint32_t> island,
                  std::span<const Contact> pairs, std::span<double> reach, Balls& balls);
 
+  /// From now on runs are booked.
+  void openBooks() { keepsBooks_ = true; }
+
   /// Of the last run that was Done.
   const ExactCounts& counts() const { return counts_; }
+  const Books& books() const { return books_; }
 
  private:
   struct Event {
@@ -95,6 +99,8 @@ class ExactFlight {
   bool settles(double elasticity, double pressing, const Balls& balls) const;
   /// Adds the next impact of pair p. False: its contact lasts.
   bool foresee(const StepInput& in, std::span<const Contact> pairs, std::uint32_t p);
+  /// Ball i has followed its path until t.
+  void book(const StepInput& in, std::uint32_t i, double t, const Balls& balls);
   void foreseeEndOfMotion(const StepInput& in, std::uint32_t ball);
   void add(const Event& event);
   /// Both for the cluster's balls and all their pairs.
@@ -118,6 +124,9 @@ class ExactFlight {
   std::vector<std::uint32_t> clusterBalls_;
   std::vector<std::uint8_t> inCluster_;  // by pair of the island
   ExactCounts counts_;
+  bool keepsBooks_ = false;
+  Books books_;
+  Ledger ledger_;
   std::int64_t motionsEnded_ = 0;
   double dt_ = 0;  // s
 };

@@ -27,8 +27,8 @@ class LoneBall {
   bool attempt(const Field& field, Balls& ball, ContactMethod method) {
     const Vec3 start = ball.position[kBall];
     findContacts(ball);
+    const StepInput input(world_, field, integrator_);
     if (method != ContactMethod::Substep && !plan_.arenaContacts.empty()) {
-      const StepInput input(world_, field, integrator_);
       const IslandFate fate =
           exact_.run(input, {&kBall, 1}, plan_.arenaContacts, {&reach_, 1}, ball);
       if (fate == IslandFate::Done) return true;
@@ -37,7 +37,7 @@ class LoneBall {
     plan_.free.clear();
     plan_.touching.clear();
     (plan_.arenaContacts.empty() ? plan_.free : plan_.touching).push_back(kBall);
-    advance(world_.settings, world_.arena, field, integrator_, plan_, ball);
+    advance(world_.settings, input.model, plan_, ball);
     return !isBeyondReach(start, ball.state(kBall), world_.settings.dt, reach_);
   }
 

@@ -9,6 +9,7 @@
 
 #include "broadphase/broadphase.h"
 #include "world/advance.h"
+#include "world/book_keeper.h"
 #include "world/contact_choice.h"
 #include "world/exact_flight.h"
 #include "world/islands.h"
@@ -62,9 +63,18 @@ class Simulation : public Stepper {
   StepCounts counts() const override { return counts_; }
   std::span<const std::uint32_t> quarantined() const override { return quarantined_; }
 
+  bool openBooks() override {
+    keeper_.open();
+    exact_.openBooks();
+    return true;
+  }
+
+  const Books* books() const override { return keeper_.books(); }
+
   void step(World& world) override {
     const Integrator& integrator = findIntegrator(world.settings.integrator);
     updateField(world, world.step, field_);
+    keeper_.beginStep(world, field_);
     findReaches(world);
     std::swap(plan_.ballContacts, oldBallContacts_);
     std::swap(plan_.arenaContacts, oldArenaContacts_);
@@ -78,6 +88,7 @@ class Simulation : public Stepper {
       world.balls = start_;
     std::swap(inSubsteps_, nextInSubsteps_);
     ++world.step;
+    keeper_.endStep(world, field_, stepBooks_);
     stepped_ = true;
     integrator_ = integrator.name;
     method_ = world.settings.contactMethod;
@@ -102,18 +113,19 @@ class Simulation : public Stepper {
   /// One step with the present reaches. False: one was too short and has been enlarged.
   bool attempt(World& world, const Integrator& integrator, ContactMethod method) {
     counts_ = {};
+    stepBooks_ = {};
     counts_.flightStretches =
         std::isfinite(field_.stretch) ? stretchesOf(field_.wells, world.settings.dt) : 1;
     planContacts(world);
     isDone_.assign(world.balls.size(), 0);
     nextInSubsteps_.assign(world.balls.size(), 0);
-    if (method != ContactMethod::Substep &&
-        !moveByEvents({world, field_, integrator}, method, world))
-      return false;
+    const StepInput input(world, field_, integrator);
+    if (method != ContactMethod::Substep && !moveByEvents(input, method, world)) return false;
     startFromOldImpulses(world);
     planFlights(world);
     counts_.substepBalls = static_cast<std::int64_t>(plan_.touching.size());
-    advance(world.settings, world.arena, field_, integrator, plan_, world.balls);
+    advance(world.settings, input.model, plan_, world.balls,
+            keeper_.books() ? &stepBooks_ : nullptr);
     return enlargeReaches(world) == 0;
   }
 
@@ -153,6 +165,7 @@ class Simulation : public Stepper {
         continue;
       }
       for (const std::uint32_t i : island) isDone_[i] = 1;
+      stepBooks_ += exact_.books();
       counts_.impacts += exact_.counts().impacts;
       counts_.clusters += exact_.counts().clusters;
       counts_.exactBalls += static_cast<std::int64_t>(island.size());
@@ -274,6 +287,8 @@ class Simulation : public Stepper {
   Balls start_;  // at the start of the step
   StepPlan plan_;
   StepCounts counts_;
+  BookKeeper keeper_;
+  Books stepBooks_;  // of the attempt at hand
   std::string integrator_;
   ContactMethod method_ = ContactMethod::Substep;
   bool stepped_ = false;

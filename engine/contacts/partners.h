@@ -1,0 +1,94 @@
+// The partner of a ball in a contact: another ball, or the arena, which does not move. Both offer
+// the same handful of operations, so that what impulses do is written once and compiled twice.
+#pragma once
+
+#include "contacts/contact.h"
+
+namespace wells {
+
+// Angular velocity times radius that a tangent impulse of 1 N s gives a ball of 1 kg: r^2 m / I.
+inline constexpr double kSpinFactor = 1 / kInertiaFactor;
+
+struct BallPartner {
+  static void touch(const Arena&, const Balls& balls, Contact& c) { touchBalls(balls, c); }
+  static double inverseMass(const Balls& balls, const Contact& c) { return 1 / balls.mass[c.b]; }
+  static Vec3 velocity(const Vec3* velocities, const Contact& c) { return velocities[c.b]; }
+  static Vec3 surfaceSpin(const Balls& balls, const Contact& c) {
+    return balls.radius[c.b] * balls.spin[c.b];
+  }
+  static void push(Balls& balls, const Contact& c, const Vec3& impulse) {
+    balls.velocity[c.b] += c.inverseMassB * impulse;
+  }
+  static void twist(Balls& balls, const Contact& c, const Vec3& torquePerRadius) {
+    balls.spin[c.b] += (kSpinFactor * c.inverseMassB / balls.radius[c.b]) * torquePerRadius;
+  }
+  static void shift(Balls& balls, const Contact& c, const Vec3& massTimesDistance) {
+    balls.position[c.b] += c.inverseMassB * massTimesDistance;
+  }
+};
+
+struct ArenaPartner {
+  static void touch(const Arena& arena, const Balls& balls, Contact& c) {
+    touchArena(arena, balls, c);
+  }
+  static double inverseMass(const Balls&, const Contact&) { return 0; }
+  static Vec3 velocity(const Vec3*, const Contact&) { return Vec3::Zero(); }
+  static Vec3 surfaceSpin(const Balls&, const Contact&) { return Vec3::Zero(); }
+  static void push(Balls&, const Contact&, const Vec3&) {}
+  static void twist(Balls&, const Contact&, const Vec3&) {}
+  static void shift(Balls&, const Contact&, const Vec3&) {}
+};
+
+/// Calls action.template operator()<Partner>() with the partner of that contact.
+template <class Action>
+void withPartner(const Contact& c, Action action) {
+  if (isBall(c.b))
+    action.template operator()<BallPartner>();
+  else
+    action.template operator()<ArenaPartner>();
+}
+
+/// kg; what an impulse along the normal has to move.
+inline double normalMass(const Contact& c) {
+  return 1 / (c.inverseMassA + c.inverseMassB);
+}
+
+/// kg; 1/m + r^2/I for each of the two spheres: inertia is a number, so the tangent plane has one
+/// mass.
+inline double tangentMass(const Contact& c) {
+  return normalMass(c) / (1 + kSpinFactor);
+}
+
+template <class Partner>
+double closingSpeed(const Vec3* velocities, const Contact& c) {
+  return dot(velocities[c.a] - Partner::velocity(velocities, c), c.normal);
+}
+
+/// Relative velocity (m/s, a against b) of the two surfaces at the contact point, in the tangent
+/// plane.
+template <class Partner>
+Vec3 slipVelocity(const Balls& balls, const Contact& c) {
+  const Vec3 slip =
+      balls.velocity[c.a] - Partner::velocity(balls.velocity.data(), c) +
+      cross(balls.radius[c.a] * balls.spin[c.a] + Partner::surfaceSpin(balls, c), c.normal);
+  return slip - dot(slip, c.normal) * c.normal;
+}
+
+/// Gives a the impulse (N s), and b the opposite.
+template <class Partner>
+void applyImpulse(Balls& balls, const Contact& c, const Vec3& impulse) {
+  balls.velocity[c.a] += c.inverseMassA * impulse;
+  Partner::push(balls, c, -impulse);
+}
+
+/// An impulse in the tangent plane. It acts at r_a n from a and at -r_b n from b, so both spins
+/// change in the same sense.
+template <class Partner>
+void applyTangentImpulse(Balls& balls, const Contact& c, const Vec3& impulse) {
+  applyImpulse<Partner>(balls, c, impulse);
+  const Vec3 torquePerRadius = cross(c.normal, impulse);
+  balls.spin[c.a] += (kSpinFactor * c.inverseMassA / balls.radius[c.a]) * torquePerRadius;
+  Partner::twist(balls, c, torquePerRadius);
+}
+
+}  // namespace wells

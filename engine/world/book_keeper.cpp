@@ -1,0 +1,43 @@
+#include "world/book_keeper.h"
+
+namespace wells {
+
+BookKeeper::Sums BookKeeper::sumsOf(const World& world, const Field& field, double t) {
+  const Balls& balls = world.balls;
+  const Vec3& center = world.arena.center;
+  Sums sums;
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    if (!isFinite(balls.state(i))) continue;
+    const double mass = balls.mass[i];
+    const double inertia = kInertiaFactor * mass * balls.radius[i] * balls.radius[i];
+    const Vec3 momentum = mass * balls.velocity[i];
+    sums.energy +=
+        0.5 * (dot(momentum, balls.velocity[i]) + inertia * squaredLength(balls.spin[i])) +
+        mass * potentialAt(field, balls.position[i], center, t);
+    sums.momentum.linear += momentum;
+    sums.momentum.angular += cross(balls.position[i] - center, momentum) + inertia * balls.spin[i];
+  }
+  return sums;
+}
+
+void BookKeeper::beginStep(const World& world, const Field& field) {
+  if (!isOpen_ || !hasStepped_) return;
+  // In the old field, so that a change of state and a change of field do not mix.
+  const Sums before = sumsOf(world, lastField_, lastDt_);
+  const Sums now = sumsOf(world, field, 0);
+  books_.outside += before.energy - last_.energy;
+  books_.wells += now.energy - before.energy;
+  books_.changes.linear += before.momentum.linear - last_.momentum.linear;
+  books_.changes.angular += before.momentum.angular - last_.momentum.angular;
+}
+
+void BookKeeper::endStep(const World& world, const Field& field, const Books& step) {
+  if (!isOpen_) return;
+  books_ += step;
+  lastField_ = field;
+  lastDt_ = world.settings.dt;
+  last_ = sumsOf(world, field, lastDt_);
+  hasStepped_ = true;
+}
+
+}  // namespace wells

@@ -1,0 +1,40 @@
+// Sums what the parts of a step booked, and books what happened to the world between two steps.
+#pragma once
+
+#include "forces/field.h"
+#include "state/books.h"
+#include "state/world.h"
+
+namespace wells {
+
+class BookKeeper {
+ public:
+  void open() { isOpen_ = true; }
+
+  /// Null until opened.
+  const Books* books() const { return isOpen_ ? &books_ : nullptr; }
+
+  /// The field of the step that begins. What changed since the last endStep() is booked: fields
+  /// that jumped by what they do to the balls, the rest as a change from outside.
+  void beginStep(const World& world, const Field& field);
+
+  /// The field of the step that ended, and what its parts booked.
+  void endStep(const World& world, const Field& field, const Books& step);
+
+ private:
+  /// Energy (J), momentum and angular momentum of all balls whose states are finite.
+  struct Sums {
+    double energy = 0;
+    ImpulseBook momentum;
+  };
+  static Sums sumsOf(const World& world, const Field& field, double t);
+
+  bool isOpen_ = false;
+  bool hasStepped_ = false;
+  Books books_;
+  Field lastField_;
+  double lastDt_ = 0;  // s
+  Sums last_;          // at the end of the last step, in its field
+};
+
+}  // namespace wells
