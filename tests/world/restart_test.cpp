@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "contacts/contact.h"
+#include "math/random.h"
 #include "reference/reference.h"
 #include "scenes/catalogue.h"
 #include "state/snapshot.h"
@@ -110,12 +111,10 @@ TEST(Restart, OfTheReferenceEnginesToo) {
   }
 }
 
-// What is saved after each step is what an uninterrupted run would save: a run may be saved and
-// restored as often as one likes.
-TEST(Restart, AfterEveryStep) {
-  const World start = makeScene(findScene("T1"), 100);
+// A run may be saved and restored as often as one likes.
+void expectSameBitsAfterEveryStep(const World& start, std::int64_t steps) {
   World whole = start;
-  const auto hashes = goOn(*makeSimulation(), whole, 120);
+  const auto hashes = goOn(*makeSimulation(), whole, steps);
   Snapshot snapshot{start, {}};
   for (std::size_t i = 0; i < hashes.size(); ++i) {
     const auto stepper = makeSimulation();
@@ -124,6 +123,29 @@ TEST(Restart, AfterEveryStep) {
     ASSERT_EQ(stateHash(snapshot.world), hashes[i]) << "step " << i + 1;
     snapshot = saved(snapshot.world, *stepper);
   }
+}
+
+TEST(Restart, AfterEveryStepOfAHeap) {
+  expectSameBitsAfterEveryStep(makeScene(findScene("T1"), 100), 120);
+}
+
+// A crowd of 100 that parts into two halves: too small to become crowds, but large enough to remain
+// some, and only the memory tells.
+TEST(Restart, AfterEveryStepOfACrowdThatParts) {
+  World world;
+  world.settings.gravity.setZero();
+  Random random(3);
+  for (int x = 0; x < 4; ++x) {
+    for (int y = 0; y < 5; ++y) {
+      for (int z = 0; z < 5; ++z) {
+        const Vec3 apart{x < 2 ? -1.0 : 1.0, 0, 0};
+        world.balls.add(
+            {.position = 1.05 * Vec3(x, y + 5, z), .velocity = apart + 0.5 * random.direction()},
+            0.5, 1);
+      }
+    }
+  }
+  expectSameBitsAfterEveryStep(world, 60);
 }
 
 // The cases above are worth something only where the memory matters.
