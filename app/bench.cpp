@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "accuracy_bench.h"
 #include "bench_run.h"
 #include "command_line.h"
 #include "engines.h"
@@ -14,6 +15,7 @@
 #include "flight/integrators.h"
 #include "progress.h"
 #include "scenes/catalogue.h"
+#include "stress_bench.h"
 #include "text_file.h"
 #include "values.h"
 
@@ -40,35 +42,6 @@ struct BenchOptions {
   fs::path csv;
   bool list = false;
 };
-
-void addInteger(CLI::App& app, const std::string& name, std::int64_t& target, std::int64_t low,
-                std::int64_t high, const std::string& help) {
-  app.add_option_function<std::string>(
-         name,
-         [&target, name, low, high](const std::string& value) {
-           parseOption(name, value, fmt::format("a whole number {} to {}", low, high),
-                       [&] { target = parseInteger(value, low, high); });
-         },
-         help)
-      ->type_name("COUNT");
-}
-
-/// Adds --name VALUE, where `check` throws std::invalid_argument for a value that is not allowed.
-void addName(CLI::App& app, const std::string& name, std::string& target, const std::string& help,
-             void (*check)(std::string_view)) {
-  app.add_option_function<std::string>(
-         name,
-         [&target, name, check](const std::string& value) {
-           try {
-             check(value);
-           } catch (const std::invalid_argument& error) {
-             throw UsageError(fmt::format("{} {}: {}", name, value, error.what()));
-           }
-           target = value;
-         },
-         help)
-      ->type_name("NAME");
-}
 
 void addOptions(CLI::App& app, BenchOptions& options) {
   addName(app, "--scene", options.scene, "what to simulate; --list shows all (default T1)",
@@ -169,10 +142,15 @@ BenchResult runWithProgress(Stepper& stepper, World world, std::int64_t steps) {
 }  // namespace
 
 int runBench(std::span<const std::string> arguments, char** argv) {
+  if (!arguments.empty() && arguments.front() == "accuracy")
+    return runAccuracyBench(arguments.subspan(1), argv);
+  if (!arguments.empty() && arguments.front() == "stress")
+    return runStressBench(arguments.subspan(1), argv);
   CLI::App app{
       "Runs a scene with an engine; one CSV row of time and physics.\n"
       "ms_per_step is the wall time of the steps alone; overlap, energy and escaped balls "
-      "are those at the end.",
+      "are those at the end.\n"
+      "\"bench accuracy\" measures error against CPU time instead; it takes --help too.",
       "./run.sh bench"};
   BenchOptions options;
   addOptions(app, options);

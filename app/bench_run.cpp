@@ -5,10 +5,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
 #include <vector>
 
-#include "build_info.h"
+#include "bench_row.h"
 
 namespace wells {
 namespace {
@@ -28,21 +27,6 @@ double peakRssMiB() {
   rusage usage{};
   ::getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) / 1024;  // Linux counts KiB
-}
-
-std::string processor() {
-  std::ifstream cpuinfo("/proc/cpuinfo");
-  for (std::string line; std::getline(cpuinfo, line);)
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  return "unknown";
-}
-
-/// A CSV field: quoted where it holds a comma or a quote (RFC 4180).
-std::string field(std::string_view text) {
-  if (text.find_first_of(",\"") == std::string_view::npos) return std::string(text);
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
 }
 
 }  // namespace
@@ -80,20 +64,18 @@ BenchResult benchmark(Stepper& stepper, World world, std::int64_t steps,
 }
 
 std::string csvHeader() {
-  return "scene,engine,integrator,contacts,balls,dt,steps,threads,ms_per_step,ms_per_step_last100,"
-         "max_overlap_m,energy_start_J,energy_end_J,escaped,peak_rss_MiB,state_hash,commit,"
-         "compiler,"
-         "flags,cpu";
+  return fmt::format(
+      "scene,engine,integrator,contacts,balls,dt,steps,threads,ms_per_step,ms_per_step_last100,"
+      "max_overlap_m,energy_start_J,energy_end_J,escaped,peak_rss_MiB,state_hash,{}",
+      kBuildColumns);
 }
 
 std::string csvRow(const BenchResult& r) {
   return fmt::format(
-      "{},{},{},{},{},{:.17g},{},{},{:.6g},{:.6g},{:.6g},{:.17g},{:.17g},{},{:.1f},{},"
-      "{},{},{},{}",
-      r.scene, r.engine, field(r.integrator), field(r.contacts), r.balls, r.dt, r.steps, r.threads,
+      "{},{},{},{},{},{:.17g},{},{},{:.6g},{:.6g},{:.6g},{:.17g},{:.17g},{},{:.1f},{},{}", r.scene,
+      r.engine, csvField(r.integrator), csvField(r.contacts), r.balls, r.dt, r.steps, r.threads,
       r.msPerStep, r.msPerStepLast100, r.end.worstOverlap(), r.start.energy(), r.end.energy(),
-      r.end.escaped, r.peakRss, hashText(r.stateHash), build_info::kCommit,
-      field(build_info::kCompiler), field(build_info::kFlags), field(processor()));
+      r.end.escaped, r.peakRss, hashText(r.stateHash), buildColumns());
 }
 
 }  // namespace wells

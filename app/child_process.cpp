@@ -15,9 +15,12 @@
 namespace wells {
 
 ChildProcess::ChildProcess(const std::vector<std::string>& arguments,
+                           const std::filesystem::path& log)
+    : ChildProcess(std::filesystem::read_symlink("/proc/self/exe").string(), arguments, log) {}
+
+ChildProcess::ChildProcess(const std::string& program, const std::vector<std::string>& arguments,
                            const std::filesystem::path& log) {
-  const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
-  std::vector<char*> argv = {const_cast<char*>(self.c_str())};
+  std::vector<char*> argv = {const_cast<char*>(program.c_str())};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
 
@@ -27,11 +30,12 @@ ChildProcess::ChildProcess(const std::vector<std::string>& arguments,
   ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(),
                                      O_WRONLY | O_CREAT | O_TRUNC, 0644);
   ::posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-  const int error = ::posix_spawn(&process_, self.c_str(), &actions, nullptr, argv.data(), environ);
+  const int error =
+      ::posix_spawnp(&process_, program.c_str(), &actions, nullptr, argv.data(), environ);
   ::posix_spawn_file_actions_destroy(&actions);
   if (error == 0) return;
   process_ = -1;
-  throw RunError(fmt::format("{}: cannot be started: {}", self, std::strerror(error)));
+  throw RunError(fmt::format("{}: cannot be started: {}", program, std::strerror(error)));
 }
 
 ChildProcess::ChildProcess(ChildProcess&& other) noexcept

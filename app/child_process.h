@@ -1,4 +1,4 @@
-// A process that runs this executable again with other arguments; no shell in between.
+// A process of ours: this executable again, or another program; no shell in between.
 #pragma once
 
 #include <sys/types.h>
@@ -12,7 +12,12 @@ namespace wells {
 
 class ChildProcess {
  public:
-  /// Starts it; what it says on standard output and error goes into `log`. Throws RunError.
+  /// Starts `program`, which is looked for in PATH unless it holds a slash; what it says on
+  /// standard output and error goes into `log`. Throws RunError.
+  ChildProcess(const std::string& program, const std::vector<std::string>& arguments,
+               const std::filesystem::path& log);
+
+  /// The same with this executable.
   ChildProcess(const std::vector<std::string>& arguments, const std::filesystem::path& log);
 
   /// Kills it if it still runs.

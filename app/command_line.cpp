@@ -6,6 +6,7 @@
 #include <iostream>
 #include <memory>
 #include <sstream>
+#include <stdexcept>
 #include <vector>
 
 #include "errors.h"
@@ -83,6 +84,58 @@ void parseOption(std::string_view name, std::string_view value, std::string_view
   } catch (const BadValue& bad) {
     throw UsageError(fmt::format("{} {}: {}; allowed: {}", name, value, bad.what(), allowed));
   }
+}
+
+void addInteger(CLI::App& app, const std::string& name, std::int64_t& target, std::int64_t low,
+                std::int64_t high, const std::string& help) {
+  app.add_option_function<std::string>(
+         name,
+         [&target, name, low, high](const std::string& value) {
+           parseOption(name, value, fmt::format("a whole number {} to {}", low, high),
+                       [&] { target = parseInteger(value, low, high); });
+         },
+         help)
+      ->type_name("COUNT");
+}
+
+void addName(CLI::App& app, const std::string& name, std::string& target, const std::string& help,
+             void (*check)(std::string_view)) {
+  app.add_option_function<std::string>(
+         name,
+         [&target, name, check](const std::string& value) {
+           try {
+             check(value);
+           } catch (const std::invalid_argument& error) {
+             throw UsageError(fmt::format("{} {}: {}", name, value, error.what()));
+           }
+           target = value;
+         },
+         help)
+      ->type_name("NAME");
+}
+
+void addChoice(CLI::App& app, const std::string& option, std::vector<std::string>& target,
+               const std::vector<std::string>& allowed, const std::string& help) {
+  target = allowed;
+  app.add_option_function<std::string>(
+         option,
+         [&target, option, allowed](const std::string& value) {
+           std::vector<std::string> chosen;
+           for (const std::string_view word : splitAtCommas(value)) {
+             const std::string name(trimmed(word));
+             if (std::find(allowed.begin(), allowed.end(), name) == allowed.end()) {
+               const std::string nearest = nearestWord(name, allowed);
+               throw UsageError(fmt::format("{} {}: no such name;{} allowed: {}", option, name,
+                                            nearest.empty() ? "" : " did you mean " + nearest + "?",
+                                            joined(allowed, ", ")));
+             }
+             if (std::find(chosen.begin(), chosen.end(), name) == chosen.end())
+               chosen.push_back(name);
+           }
+           target = chosen;
+         },
+         help)
+      ->type_name("NAME,...");
 }
 
 }  // namespace wells

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace wells {
 
@@ -18,5 +20,17 @@ Parsed parseArguments(CLI::App& app, std::span<const std::string> arguments);
 /// Runs `parse` and turns its BadValue into a UsageError "--name value: why; allowed: ...".
 void parseOption(std::string_view name, std::string_view value, std::string_view allowed,
                  const std::function<void()>& parse);
+
+/// Adds --name COUNT, a whole number low .. high.
+void addInteger(CLI::App& app, const std::string& name, std::int64_t& target, std::int64_t low,
+                std::int64_t high, const std::string& help);
+
+/// Adds --name NAME, where `check` throws std::invalid_argument for a value that is not allowed.
+void addName(CLI::App& app, const std::string& name, std::string& target, const std::string& help,
+             void (*check)(std::string_view));
+
+/// Adds --name NAME,...: a choice of `allowed`, each once and all by default.
+void addChoice(CLI::App& app, const std::string& name, std::vector<std::string>& target,
+               const std::vector<std::string>& allowed, const std::string& help);
 
 }  // namespace wells

@@ -31,20 +31,26 @@ std::string progressText(const RunGoal& goal, std::int64_t firstStep, std::int64
                      rate, left);
 }
 
-ProgressLine::ProgressLine(const RunGoal& goal, Shown shown)
-    : goal_(goal), shown_(shown == Shown::Yes && isOnTerminal()) {}
+StatusLine::StatusLine() : isShown_(isOnTerminal()) {}
 
-ProgressLine::~ProgressLine() {
-  if (shown_) fmt::print(stderr, "{}", kClearLine);
+StatusLine::~StatusLine() {
+  if (isShown_) fmt::print(stderr, "{}", kClearLine);
+}
+
+void StatusLine::show(const std::string& text) const {
+  if (!isShown_) return;
+  fmt::print(stderr, "{}{}", kClearLine, text);
+  std::fflush(stderr);
+}
+
+ProgressLine::ProgressLine(const RunGoal& goal, Shown shown) : goal_(goal) {
+  if (shown == Shown::Yes) line_.emplace();
 }
 
 void ProgressLine::show(const RunProgress& progress, double wallTime) const {
-  if (!shown_) return;
-  const std::string text = progress.joined
-                               ? progressText(goal_, progress.firstStep, progress.step, wallTime)
-                               : "listening for other peers";
-  fmt::print(stderr, "{}{}", kClearLine, text);
-  std::fflush(stderr);
+  if (!line_) return;
+  line_->show(progress.joined ? progressText(goal_, progress.firstStep, progress.step, wallTime)
+                              : "listening for other peers");
 }
 
 void printNotice(const std::string& text) {

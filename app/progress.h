@@ -1,9 +1,10 @@
-// One line on a terminal that says how far a run is. Written by the simulation thread, shown by the
-// main thread.
+// One line on a terminal that says how far a run is. RunProgress is written by the simulation
+// thread and shown by the main thread.
 #pragma once
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace wells {
@@ -21,24 +22,34 @@ struct RunGoal {
   bool hasEnd = false;
 };
 
+/// A line on stderr that each text overwrites; nothing where stderr is no terminal.
+class StatusLine {
+ public:
+  StatusLine();
+
+  /// Clears the line.
+  ~StatusLine();
+  StatusLine(const StatusLine&) = delete;
+  StatusLine& operator=(const StatusLine&) = delete;
+
+  void show(const std::string& text) const;
+
+ private:
+  bool isShown_;
+};
+
 class ProgressLine {
  public:
   enum class Shown { Yes, No };
 
-  /// Shown::Yes is heeded only where stderr is a terminal.
   ProgressLine(const RunGoal& goal, Shown shown);
-
-  /// Clears the line.
-  ~ProgressLine();
-  ProgressLine(const ProgressLine&) = delete;
-  ProgressLine& operator=(const ProgressLine&) = delete;
 
   /// `wallTime` in s since the first step of the run.
   void show(const RunProgress& progress, double wallTime) const;
 
  private:
   RunGoal goal_;
-  bool shown_;
+  std::optional<StatusLine> line_;
 };
 
 /// "t = 3.20 of 10.00 s, 61 steps/s, 7 s left". The steps since `firstStep` took `wallTime` s.

@@ -1,0 +1,87 @@
+#include "accuracy_options.h"
+
+#include <fmt/format.h>
+
+#include "command_line.h"
+#include "engines.h"
+#include "errors.h"
+#include "values.h"
+
+namespace wells {
+namespace {
+
+const Range kLongestRuns = Range::between(1e-3, 3600);  // s
+constexpr int kQuickRungs = 10;
+constexpr double kQuickLongestRun = 0.02;      // s
+constexpr double kQuickShortestTiming = 5e-4;  // s
+
+std::vector<std::string> allCases() {
+  std::vector<std::string> names;
+  for (const AccuracyCase& answer : accuracyCases()) names.emplace_back(answer.scene);
+  return names;
+}
+
+/// Adds an option that takes one value as it stands.
+CLI::Option* addPath(CLI::App& app, const std::string& option, std::filesystem::path& target,
+                     const std::string& type, const std::string& help) {
+  return app
+      .add_option_function<std::string>(
+          option, [&target](const std::string& value) { target = value; }, help)
+      ->type_name(type);
+}
+
+}  // namespace
+
+std::optional<AccuracyOptions> parseAccuracyOptions(std::span<const std::string> arguments) {
+  CLI::App app{
+      "Error against CPU time: runs the cases with exact answers for ever smaller steps with every "
+      "engine and method.\n"
+      "Writes a table (CSV), a gnuplot script and a plot (PNG) for each case and an overview of "
+      "all. The whole takes about ten minutes.",
+      "./run.sh bench accuracy"};
+  AccuracyOptions options;
+  std::int64_t repeats = 0;
+  double longestRun = 0;
+  addChoice(app, "--cases", options.cases, allCases(), "default: all; --list explains them");
+  addChoice(app, "--engines", options.engines, {engineNames().begin(), engineNames().end()},
+            "default: all, " + joined(engineNames(), ", "));
+  addPath(app, "--out", options.out, "FOLDER", "for all files (default out/accuracy)");
+  addInteger(app, "--repeats", repeats, 1, 100, "of each timing; the median counts (default 3)");
+  app.add_option_function<std::string>(
+         "--longest-run",
+         [&](const std::string& value) {
+           parseOption("--longest-run", value,
+                       fmt::format("a number {}, in s", kLongestRuns.text()),
+                       [&] { longestRun = parseNumber(value, kLongestRuns); });
+         },
+         "CPU time; smaller steps that would take longer are not run, and listed (default 0.25)")
+      ->type_name("s");
+  app.add_flag("--quick", options.isQuick, "a rough look: fewer and shorter runs, each timed once");
+  app.add_flag("--list", options.list, "lists the cases and ends");
+  addPath(app, "--points", options.points, "FILE", "")->group("");  // for processes of our own
+  if (parseArguments(app, arguments) == Parsed::HelpShown) return {};
+
+  if (options.isQuick)
+    options.limits = {.rungs = kQuickRungs,
+                      .longestRun = kQuickLongestRun,
+                      .shortestTiming = kQuickShortestTiming,
+                      .repeats = 1};
+  if (repeats > 0) options.limits.repeats = repeats;
+  if (longestRun > 0) options.limits.longestRun = longestRun;
+  return options;
+}
+
+std::vector<std::string> accuracyArguments(const AccuracyOptions& options, const std::string& scene,
+                                           const std::string& engine,
+                                           const std::filesystem::path& points) {
+  std::vector<std::string> arguments = {"bench",         "accuracy",
+                                        "--cases",       scene,
+                                        "--engines",     engine,
+                                        "--points",      points.string(),
+                                        "--repeats",     std::to_string(options.limits.repeats),
+                                        "--longest-run", formatNumber(options.limits.longestRun)};
+  if (options.isQuick) arguments.push_back("--quick");
+  return arguments;
+}
+
+}  // namespace wells

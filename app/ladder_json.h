@@ -1,0 +1,18 @@
+// Ladders as JSON: how a process that holds one engine hands its points to the one that draws.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "work_precision.h"
+
+namespace wells {
+
+std::string laddersAsJson(std::span<const Ladder> ladders);
+
+/// Throws RunError for what laddersAsJson() did not write.
+std::vector<Ladder> laddersFromJson(std::string_view text);
+
+}  // namespace wells
