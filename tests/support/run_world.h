@@ -13,6 +13,7 @@ struct RunCounts {
   std::int64_t latePairs = 0;
   std::int64_t substepBalls = 0;
   std::int64_t handedOver = 0;
+  std::int64_t flightStretches = 1;  // of the last step
 };
 
 inline RunCounts run(World& world, std::int64_t steps) {
@@ -25,6 +26,7 @@ inline RunCounts run(World& world, std::int64_t steps) {
     sum.latePairs += counts.latePairs;
     sum.substepBalls += counts.substepBalls;
     sum.handedOver += counts.handedOver;
+    sum.flightStretches = counts.flightStretches;
   }
   return sum;
 }

@@ -1,12 +1,11 @@
-// The substeps on scenes with exact answers (impacts_test.cpp has the exact method). They are of
-// first order through an impact (noticed at the end of a substep) and of the integrator's order
+// The substeps on scenes with exact answers (the other files here have the exact method). They are
+// of first order through an impact (noticed at the end of a substep) and of the integrator's order
 // elsewhere; the bounds follow from that.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "scenes/catalogue.h"
-#include "support/order.h"
 #include "world/measures.h"
 #include "world/simulation.h"
 
@@ -73,19 +72,6 @@ TEST(Billiard, ConvergesAndConserves) {
     EXPECT_NEAR(m.kineticEnergy, 12.5, 1e-13);
     EXPECT_LE(length(m.momentum - Vec3(5, 0, 0)), 1e-13);
   }
-}
-
-// x(20) = (3.854288449057601967, 20, 4.725218728097183202); nothing is touched, so leapfrog keeps
-// its order 2 through the whole step.
-TEST(Orbit, HasTheIntegratorsOrder) {
-  const Vec3 exact(3.854288449057601966522, 20, 4.725218728097183202115);
-  std::vector<std::pair<double, double>> errors;
-  for (int n = 60; n <= 960; n *= 2) {
-    const World end = run(scene("orbit"), 1.0 / n, 20);
-    errors.emplace_back(1.0 / n, length(end.balls.position[0] - exact));
-  }
-  EXPECT_LE(errors.front().second, 0.04);
-  EXPECT_NEAR(fittedOrder(errors), 2, 0.1);
 }
 
 // Hits at equal angles: the distance of the chords from the axis is 3 sin 90 = 3 m, kept by angular
