@@ -42,7 +42,9 @@ RunReport waitFor(std::future<RunReport>& run, const ProgressLine& line,
   return run.get();
 }
 
-void writeOutputs(const PeerOptions& options, const RunReport& report) {
+void writeOutputs(const PeerSetup& setup, const RunReport& report) {
+  const PeerOptions& options = setup.options;
+  if (!options.snapshot.empty()) setup.saveSnapshot();
   if (!options.stateOut.empty()) writeAtomically(options.stateOut, ballsAsCsv(report.balls));
   if (!options.report.empty()) writeAtomically(options.report, reportAsJson(report));
 }
@@ -79,7 +81,7 @@ int runPeer(const PeerOptions& options) {
     report.framesDrawn = counts.drawn;
     report.framesRepeated = counts.repeated;
   }
-  writeOutputs(options, report);
+  writeOutputs(setup, report);
   if (!options.quiet) fmt::print("{}", reportAsText(report));
   return 0;
 }

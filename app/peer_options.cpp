@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "command_line.h"
@@ -10,6 +11,8 @@
 #include "errors.h"
 #include "keys.h"
 #include "network/lcm_url.h"
+#include "saved_config.h"
+#include "snapshot_file.h"
 #include "text_file.h"
 #include "values.h"
 #include "world_setup.h"
@@ -25,10 +28,24 @@ constexpr std::pair<std::string_view, std::string_view> kAliases[] = {
 
 constexpr double kLongestRun = 1e9;  // s, steps
 
-struct RunLength {
+// What the command line says that does not stand in PeerOptions as it is.
+struct Words {
+  fs::path configFile;
+  fs::path restoreFile;
+  std::vector<Setting> settings;
+  std::optional<std::string> engine;
   std::optional<double> duration;  // s
   std::optional<std::int64_t> steps;
+  std::optional<double> saveInterval;  // s
 };
+
+double parseTime(const std::string& option, const std::string& value) {
+  const Range range = Range::above(0, kLongestRun);
+  double time = 0;  // s
+  parseOption(option, value, fmt::format("a number {}, in s", range.text()),
+              [&] { time = parseNumber(value, range); });
+  return time;
+}
 
 std::string optionNamesOf(const Key& key) {
   std::string names = "--" + key.name;
@@ -67,9 +84,9 @@ void addPath(CLI::App& app, const std::string& name, fs::path& path, const std::
       ->group(group);
 }
 
-void addRunOptions(CLI::App& app, PeerOptions& options, RunLength& length, fs::path& configFile) {
+void addRunOptions(CLI::App& app, PeerOptions& options, Words& words) {
   const std::string group = "Run";
-  addPath(app, "--config", configFile, "config file of KEY=VALUE lines; options override it",
+  addPath(app, "--config", words.configFile, "config file of KEY=VALUE lines; options override it",
           group);
   app.add_flag_function(
          "--solo", [&](std::int64_t) { options.company = Company::Solo; },
@@ -77,11 +94,7 @@ void addRunOptions(CLI::App& app, PeerOptions& options, RunLength& length, fs::p
       ->group(group);
   app.add_option_function<std::string>(
          "--duration",
-         [&](const std::string& value) {
-           const Range range = Range::above(0, kLongestRun);
-           parseOption("--duration", value, fmt::format("a number {}, in s", range.text()),
-                       [&] { length.duration = parseNumber(value, range); });
-         },
+         [&](const std::string& value) { words.duration = parseTime("--duration", value); },
          "simulated time after which to stop; else it runs until Ctrl-C")
       ->type_name("s")
       ->group(group);
@@ -90,7 +103,7 @@ void addRunOptions(CLI::App& app, PeerOptions& options, RunLength& length, fs::p
          [&](const std::string& value) {
            const auto most = static_cast<std::int64_t>(kLongestRun);
            parseOption("--steps", value, fmt::format("a whole number 0 to {}", most),
-                       [&] { length.steps = parseInteger(value, 0, most); });
+                       [&] { words.steps = parseInteger(value, 0, most); });
          },
          "steps after which to stop, instead of --duration")
       ->type_name("COUNT")
@@ -99,7 +112,7 @@ void addRunOptions(CLI::App& app, PeerOptions& options, RunLength& length, fs::p
          "--engine",
          [&](const std::string& value) {
            requireEngine(value);
-           options.engine = value;
+           words.engine = value;
          },
          joined(engineNames(), ", "))
       ->type_name("NAME")
@@ -116,6 +129,25 @@ void addRunOptions(CLI::App& app, PeerOptions& options, RunLength& length, fs::p
       ->default_str("1")
       ->group(group);
   app.add_flag("--quiet", options.quiet, "no progress and no notices")->group(group);
+}
+
+void addSnapshotOptions(CLI::App& app, PeerOptions& options, Words& words) {
+  const std::string group = "Snapshot (with --solo)";
+  addPath(app, "--save-snapshot", options.snapshot,
+          "writes the world at the end, with all that a run needs to go on from it", group);
+  app.add_option_function<std::string>(
+         "--save-snapshot-every",
+         [&](const std::string& value) {
+           words.saveInterval = parseTime("--save-snapshot-every", value);
+         },
+         "simulated time after which --save-snapshot writes its file anew")
+      ->type_name("s")
+      ->group(group);
+  addPath(
+      app, "--restore", words.restoreFile,
+      "goes on from a snapshot: with its world, this peer's well and engine, and the same bits; "
+      "--duration and --steps count from there",
+      group);
 }
 
 void addNetworkOptions(CLI::App& app, PeerOptions& options) {
@@ -155,22 +187,71 @@ void requireOutputs(const PeerOptions& options) {
   const std::pair<const char*, const fs::path&> files[] = {{"--video", options.video},
                                                            {"--last-frame", options.lastFrame},
                                                            {"--state-out", options.stateOut},
-                                                           {"--report", options.report}};
+                                                           {"--report", options.report},
+                                                           {"--save-snapshot", options.snapshot}};
   for (const auto& [name, file] : files)
     if (!file.empty()) requireWritable(name, file);
   if (!options.frames.empty()) requireFolder("--frames", options.frames);
 }
 
-std::int64_t stepsOf(const RunLength& length, double dt) {
-  if (length.steps && length.duration)
+void restore(PeerOptions& options, const fs::path& file) {
+  options.restored = readSnapshot(file);
+  options.config = restoredConfig(*options.restored, file);
+  const auto& wells = options.restored->world.tracks;
+  if (!wells.empty() && value(wells.back().peer) == options.config.peerId) return;
+  throw UsageError(
+      fmt::format("{}: its last well is not that of peer {}; allowed: a snapshot that "
+                  "--save-snapshot wrote",
+                  file.string(), options.config.peerId));
+}
+
+void applyConfig(PeerOptions& options, const Words& words) {
+  std::vector<Setting> fromFile;
+  if (!words.configFile.empty()) fromFile = readConfigFile(words.configFile);
+  options.notices = applySettings(options.config, fromFile);
+  applySettings(options.config, words.settings);
+  if (options.restored) {
+    requireAsSaved(*options.restored, options.config, words.settings);
+    requireAsSaved(*options.restored, options.config, fromFile);
+  }
+  for (const Setting& setting : words.settings)
+    if (setting.key == "PeerID") options.idOrigin = IdOrigin::CommandLine;
+}
+
+void applyEngine(PeerOptions& options, const Words& words) {
+  if (options.restored) {
+    options.engine = options.restored->engine;
+    requireEngine(options.engine);
+  }
+  if (!words.engine) return;
+  if (options.restored && *words.engine != options.engine) {
+    throw UsageError(
+        fmt::format("--engine {}: contradicts the snapshot; allowed with --restore: {}, or nothing",
+                    *words.engine, options.engine));
+  }
+  options.engine = *words.engine;
+}
+
+void applyTimes(PeerOptions& options, const Words& words) {
+  const double dt = stepLength(options.config, options.engine);
+  const std::int64_t first = options.restored ? options.restored->world.step : 0;
+  if (words.steps && words.duration)
     throw UsageError("--steps and --duration: both given; allowed: one of them");
-  if (length.steps) return *length.steps;
-  if (length.duration) return std::llround(*length.duration / dt);
-  return kEndless;
+  if (words.steps) options.steps = first + *words.steps;
+  if (words.duration) options.steps = first + std::llround(*words.duration / dt);
+  if (!words.saveInterval) return;
+  if (options.snapshot.empty())
+    throw UsageError("--save-snapshot-every: no file is named; allowed: with --save-snapshot");
+  options.snapshotEvery = std::max<std::int64_t>(1, std::llround(*words.saveInterval / dt));
 }
 
 void requireConsistent(const PeerOptions& options) {
-  if (options.company != Company::Solo) return;
+  const bool session = options.company == Company::Session;
+  if (session && options.restored)
+    throw UsageError("--restore: a session has no world of one peer; allowed: with --solo");
+  if (session && !options.snapshot.empty())
+    throw UsageError("--save-snapshot: a session has no world of one peer; allowed: with --solo");
+  if (session) return;
   if (options.requireLcm)
     throw UsageError("--solo and --require-lcm: contradict each other; allowed: one of them");
   if (!options.lcmUrl.empty())
@@ -181,23 +262,20 @@ void requireConsistent(const PeerOptions& options) {
 
 std::optional<PeerOptions> parsePeerOptions(std::span<const std::string> arguments) {
   PeerOptions options;
-  RunLength length;
-  fs::path configFile;
-  std::vector<Setting> settings;
+  Words words;
   CLI::App app("Runs one peer of a gravity-wells session, or a world alone (--solo).",
                "gravity-wells peer");
-  addRunOptions(app, options, length, configFile);
+  addRunOptions(app, options, words);
+  addSnapshotOptions(app, options, words);
   addNetworkOptions(app, options);
   addOutputOptions(app, options);
-  addKeys(app, settings);
+  addKeys(app, words.settings);
   if (parseArguments(app, arguments) == Parsed::HelpShown) return {};
 
-  if (!configFile.empty())
-    options.notices = applySettings(options.config, readConfigFile(configFile));
-  applySettings(options.config, settings);
-  for (const Setting& setting : settings)
-    if (setting.key == "PeerID") options.idOrigin = IdOrigin::CommandLine;
-  options.steps = stepsOf(length, stepLength(options.config, options.engine));
+  if (!words.restoreFile.empty()) restore(options, words.restoreFile);
+  applyConfig(options, words);
+  applyEngine(options, words);
+  applyTimes(options, words);
   requireConsistent(options);
   requireOutputs(options);
   return options;

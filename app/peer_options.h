@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "config.h"
+#include "state/snapshot.h"
 
 namespace wells {
 
@@ -25,7 +26,7 @@ struct PeerOptions {
   Config config;
   IdOrigin idOrigin = IdOrigin::File;
   Company company = Company::Session;
-  std::int64_t steps = kEndless;  // where the run stops
+  std::int64_t steps = kEndless;  // the world's step at which the run stops
   std::string engine = "ours";
   std::int64_t threads = 1;
   std::string lcmUrl;  // empty: from UDPPort, staying on this host
@@ -36,6 +37,9 @@ struct PeerOptions {
   std::filesystem::path lastFrame;   // empty: none
   std::filesystem::path stateOut;    // empty: none
   std::filesystem::path report;      // empty: none
+  std::filesystem::path snapshot;    // to be written; empty: none
+  std::int64_t snapshotEvery = 0;    // steps; 0: only at the end
+  std::optional<Snapshot> restored;  // goes on from this, with its config and engine
   std::vector<std::string> notices;  // about the config file
 
   bool drawsPictures() const { return !(frames.empty() && video.empty() && lastFrame.empty()); }

@@ -21,9 +21,12 @@ struct PeerSetup {
   explicit PeerSetup(const PeerOptions& peerOptions);
 
   const PeerOptions& options;
-  World world;                       // at step 0, without this peer's well
+  World world;                       // at step 0, without this peer's well; or as restored, with it
   WellMotion motion;                 // of this peer's well
   std::unique_ptr<Stepper> stepper;  // the engine
+
+  /// Writes the file of --save-snapshot. Throws RunError.
+  void saveSnapshot() const;
 };
 
 /// Alone: this peer owns all balls. As fast as possible unless SimulationRate says otherwise; waits

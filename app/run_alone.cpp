@@ -1,24 +1,53 @@
+#include <fmt/format.h>
+
 #include <vector>
 
 #include "engines.h"
+#include "errors.h"
 #include "interrupt.h"
 #include "peer_runs.h"
 #include "run_recorder.h"
+#include "saved_config.h"
+#include "snapshot_file.h"
 #include "world_setup.h"
 
 namespace wells {
+namespace {
+
+World worldOf(const PeerOptions& options) {
+  return options.restored ? options.restored->world : makeWorld(options.config, options.engine);
+}
+
+bool isSaveDue(const PeerOptions& options, std::int64_t step) {
+  return options.snapshotEvery > 0 && step % options.snapshotEvery == 0;
+}
+
+}  // namespace
 
 PeerSetup::PeerSetup(const PeerOptions& peerOptions)
     : options(peerOptions),
-      world(makeWorld(options.config, options.engine)),
+      world(worldOf(options)),
       motion(options.config, world.settings.dt),
-      stepper(makeEngine(options.engine)) {}
+      stepper(makeEngine(options.engine)) {
+  if (!options.snapshot.empty() && !stepper->memory()) {
+    throw UsageError(
+        fmt::format("--save-snapshot: engine {} keeps what cannot be saved; allowed: ours and the "
+                    "reference engines",
+                    options.engine));
+  }
+  if (options.restored) stepper->restore(options.restored->memory);
+}
+
+void PeerSetup::saveSnapshot() const {
+  writeSnapshot(options.snapshot,
+                {world, *stepper->memory(), stepper->name(), savedConfig(options.config)});
+}
 
 RunReport runAlone(PeerSetup& setup, Pictures* pictures, RunProgress& progress) {
   const PeerOptions& options = setup.options;
   World& world = setup.world;
   const auto self = static_cast<std::int32_t>(options.config.peerId);
-  world.tracks.push_back(setup.motion.trackAt(PeerId{self}, world.step));
+  if (!options.restored) world.tracks.push_back(setup.motion.trackAt(PeerId{self}, world.step));
   const auto owners = [&] { return std::vector<std::int32_t>(world.balls.size(), self); };
 
   StepTimer timer(options.config.simulationRate > 0 ? stepRate(options.config, options.engine) : 0);
@@ -31,6 +60,7 @@ RunReport runAlone(PeerSetup& setup, Pictures* pictures, RunProgress& progress) 
     recorder.show(world, owners, WhenBusy::Wait);
     setup.stepper->step(world);
     recorder.stepped(world, *setup.stepper);
+    if (isSaveDue(options, world.step)) setup.saveSnapshot();
   }
   setup.motion.extend(world.tracks.back(), world.step);
   recorder.show(world, owners, WhenBusy::Wait);

@@ -1,5 +1,6 @@
 #include "text_file.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -30,6 +31,38 @@ bool isWritableFolder(const fs::path& folder) {
   return isFolder(folder) && ::access(folder.c_str(), W_OK) == 0;
 }
 
+std::error_code lastError() {
+  return {errno, std::generic_category()};
+}
+
+std::error_code writeAll(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno != EINTR) return lastError();
+    if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return {};
+}
+
+// Returns when the bytes are on the disk: renaming a file whose content is still on its way would
+// leave an empty one after a power failure.
+std::error_code writeThrough(const fs::path& file, std::string_view bytes) {
+  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (descriptor < 0) return lastError();
+  std::error_code error = writeAll(descriptor, bytes);
+  if (!error && ::fsync(descriptor) != 0 && errno != EINVAL) error = lastError();
+  if (::close(descriptor) != 0 && !error) error = lastError();
+  return error;
+}
+
+// Makes a renaming last. Some file systems cannot; the file is whole either way.
+void syncFolder(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
+}
+
 }  // namespace
 
 std::vector<std::string> readLines(const fs::path& file) {
@@ -49,19 +82,17 @@ std::vector<std::string> readLines(const fs::path& file) {
   return lines;
 }
 
-void writeAtomically(const fs::path& file, std::string_view text) {
+void writeAtomically(const fs::path& file, std::string_view bytes) {
   const fs::path temporary = fmt::format("{}.{}.part", file.string(), ::getpid());
-  std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
-  out.write(text.data(), static_cast<std::streamsize>(text.size()));
-  out.close();
-  std::error_code error;
-  if (out) {
-    fs::rename(temporary, file, error);
-    if (!error) return;
+  std::error_code error = writeThrough(temporary, bytes);
+  if (!error) fs::rename(temporary, file, error);
+  if (!error) {
+    syncFolder(parentOf(file));
+    return;
   }
-  const std::string reason = error ? error.message() : std::strerror(errno);
-  fs::remove(temporary, error);
-  throw RunError(fmt::format("{}: cannot be written: {}", file.string(), reason));
+  std::error_code ignored;
+  fs::remove(temporary, ignored);
+  throw RunError(fmt::format("{}: cannot be written: {}", file.string(), error.message()));
 }
 
 void requireWritable(std::string_view option, const fs::path& file) {

@@ -1,4 +1,4 @@
-// Whole text files: reading by line, and writing so that a reader never sees a part.
+// Whole files: reading by line, and writing so that nobody ever sees a part.
 #pragma once
 
 #include <filesystem>
@@ -12,8 +12,9 @@ namespace wells {
 /// when the file cannot be read.
 std::vector<std::string> readLines(const std::filesystem::path& file);
 
-/// Writes a temporary file beside `file` and renames it. Throws RunError.
-void writeAtomically(const std::filesystem::path& file, std::string_view text);
+/// Writes a temporary file beside `file` to the disk and renames it: whatever happens, `file` holds
+/// its old content or the new one. Throws RunError; the temporary file is then gone.
+void writeAtomically(const std::filesystem::path& file, std::string_view bytes);
 
 /// Throws UsageError unless a file can be created in the folder of `file`. `option` is named.
 void requireWritable(std::string_view option, const std::filesystem::path& file);
