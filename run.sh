@@ -11,6 +11,7 @@ usage() {
 usage: ./run.sh [demo] [OPTION...]         two peers on this machine share a world for 10 s
        ./run.sh peer [OPTION...]           one peer; ./run.sh peer --help lists its options
        ./run.sh bench [OPTION...]          one scene, measured; ./run.sh bench --help
+       ./run.sh bench accuracy [OPTION...] error against CPU time, as tables and plots
        ./run.sh spy [OPTION...]            lcm-spy, with our message types
        ./run.sh lcm-logger [OPTION...]     records a session; --help lists its options
        ./run.sh lcm-logplayer [OPTION...]  plays a record back; --help
@@ -23,7 +24,7 @@ unless the variable LCM_DEFAULT_URL or their own option --lcm-url=URL names anot
 END
 }
 
-build_program() { "$root/app/build.sh" gravity-wells gravity-wells-bullet; }
+build_program() { "$root/app/build.sh" "$@" gravity-wells gravity-wells-bullet; }
 
 # LCM's own tools: those that come with the wheel, or the system's.
 lcm_tool() {
@@ -69,7 +70,7 @@ case ${1-} in
     ;;
   -*) demo "$@" ;;
   peer | bench)
-    build_program
+    if [[ ${2-} == accuracy ]]; then build_program --with plots; else build_program; fi
     exec "$program" "$@"
     ;;
   spy)

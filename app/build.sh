@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, configures build/release and builds the given targets (all without any).
 # Quiet unless something fails; ninja does only what changed sources need.
-#   app/build.sh [--with test|spy] [TARGET...]
+#   app/build.sh [--with test|plots|spy] [TARGET...]
 set -euo pipefail
 
 root=$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")")

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Installs what is missing on Debian 12: packages with apt-get, and LCM 1.5.3 into .venv where the
 # system has no LCM of at least 1.5. When nothing is missing it takes milliseconds.
-#   app/install.sh [test] [spy]
-# With no argument what the program needs; "test" adds what only the tests need, "spy" a Java.
+#   app/install.sh [test] [plots] [spy]
+# With no argument what the program needs; "test" adds what only the tests need, "plots" a gnuplot,
+# "spy" a Java.
 set -euo pipefail
 
 root=$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")")
@@ -32,6 +33,9 @@ libgtest-dev - GoogleTest: the tests are part of the build's configuration
 "
 test_packages="
 clang-format - checks the format of the sources
+"
+plots_packages="
+gnuplot-nox - draws the plots of the benchmark
 "
 spy_packages="
 openjdk-17-jre - runs lcm-spy's window
@@ -115,13 +119,20 @@ has_java() {
     [[ -e $(dirname "$java")/../lib/libawt_xawt.so ]]
 }
 
+# Debian has several gnuplots that exclude each other; any of them will do.
+has_gnuplot() { command -v gnuplot >/dev/null; }
+
 packages=$build_packages
 for set in "$@"; do
   case $set in
-    test) packages+=$test_packages ;;
+    test)
+      packages+=$test_packages
+      has_gnuplot || packages+=$plots_packages
+      ;;
+    plots) has_gnuplot || packages+=$plots_packages ;;
     spy) has_java || packages+=$spy_packages ;;
     *)
-      echo "usage: $0 [test] [spy]" >&2
+      echo "usage: $0 [test] [plots] [spy]" >&2
       exit 2
       ;;
   esac
