@@ -31,6 +31,12 @@ bool isWritableFolder(const fs::path& folder) {
   return isFolder(folder) && ::access(folder.c_str(), W_OK) == 0;
 }
 
+// Renaming over a device, a pipe or a socket would take it from everybody who uses it.
+bool isReplaceable(const fs::path& file) {
+  std::error_code ignored;
+  return !fs::exists(file, ignored) || fs::is_regular_file(file, ignored);
+}
+
 std::error_code lastError() {
   return {errno, std::generic_category()};
 }
@@ -83,6 +89,8 @@ std::vector<std::string> readLines(const fs::path& file) {
 }
 
 void writeAtomically(const fs::path& file, std::string_view bytes) {
+  if (!isReplaceable(file))
+    throw RunError(fmt::format("{}: cannot be written: is no regular file", file.string()));
   const fs::path temporary = fmt::format("{}.{}.part", file.string(), ::getpid());
   std::error_code error = writeThrough(temporary, bytes);
   if (!error) fs::rename(temporary, file, error);
@@ -96,10 +104,10 @@ void writeAtomically(const fs::path& file, std::string_view bytes) {
 }
 
 void requireWritable(std::string_view option, const fs::path& file) {
-  if (isWritableFolder(parentOf(file)) && !isFolder(file) && file.has_filename()) return;
+  if (isWritableFolder(parentOf(file)) && isReplaceable(file) && file.has_filename()) return;
   throw UsageError(
       fmt::format("{} {}: cannot be written; allowed: a file in a folder that exists "
-                  "and is writable",
+                  "and is writable, no folder and no device",
                   option, file.string()));
 }
 

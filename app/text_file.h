@@ -13,10 +13,12 @@ namespace wells {
 std::vector<std::string> readLines(const std::filesystem::path& file);
 
 /// Writes a temporary file beside `file` to the disk and renames it: whatever happens, `file` holds
-/// its old content or the new one. Throws RunError; the temporary file is then gone.
+/// its old content or the new one. Throws RunError, also for what is no regular file (a device);
+/// the temporary file is then gone.
 void writeAtomically(const std::filesystem::path& file, std::string_view bytes);
 
-/// Throws UsageError unless a file can be created in the folder of `file`. `option` is named.
+/// Throws UsageError unless a file can be created in the folder of `file`, where nothing but a
+/// regular file may stand in its place. `option` is named.
 void requireWritable(std::string_view option, const std::filesystem::path& file);
 
 /// Throws UsageError unless `folder` is a writable folder or can be made.

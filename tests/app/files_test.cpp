@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <bit>
 #include <cmath>
@@ -101,6 +102,17 @@ TEST(TextFile, LeavesTheOldFileWhenItCannotWrite) {
   EXPECT_THROW(writeAtomically("/proc/absent/file", "x"), RunError);
   EXPECT_THROW(requireWritable("--report", "/proc/absent/file"), UsageError);
   EXPECT_THROW(requireFolder("--frames", "/proc/absent/folder"), UsageError);
+}
+
+// As /dev/null would be, to root: a renaming would take it from everybody.
+TEST(TextFile, LeavesWhatIsNoRegularFile) {
+  const TemporaryFolder folder;
+  const auto pipe = folder / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_THROW(writeAtomically(pipe, "x"), RunError);
+  EXPECT_THROW(requireWritable("--report", pipe), UsageError);
+  EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+  EXPECT_FALSE(std::filesystem::exists(folder / ("pipe." + std::to_string(::getpid()) + ".part")));
 }
 
 TEST(WellMotion, CircleKeepsItsRadiusPeriodAndStart) {
