@@ -50,7 +50,8 @@ std::optional<StressOptions> parse(std::span<const std::string> arguments) {
       "(gain/E: "
       "relative to the energy at hand); overlap: the worst; exact: the share of balls that ours "
       "moved by exact impacts; handed: islands that it left to the substeps instead.\n"
-      "gained energy: more than 1e-9 of what is at hand; more than 1e-2 where gravity or wells "
+      "gained energy: more than 1e-6 of what is at hand (single precision rounds to 6e-8); more "
+      "than 1e-2 where gravity or wells "
       "press "
       "balls together for long; not judged where wells move.",
       "./run.sh bench stress"};

@@ -58,6 +58,16 @@ std::int64_t countNotFinite(const Balls& balls, std::span<const std::uint32_t> a
   return count;
 }
 
+std::int64_t countLost(const World& world, std::span<const std::uint32_t> among) {
+  std::int64_t count = 0;
+  for (const std::uint32_t i : among) {
+    const Vec3 d = world.balls.position[i] - world.arena.center;
+    const double margin = kOutside * world.balls.radius[i];
+    if (d.y() < -margin || std::hypot(d.x(), d.z()) > world.arena.radius + margin) ++count;
+  }
+  return count;
+}
+
 World withoutLast(World world, std::size_t count) {
   Balls& balls = world.balls;
   const std::size_t size = balls.size() - count;
@@ -121,12 +131,11 @@ class StressRun {
   void judge(StressResult& result) {
     const Measures now = measure(world_, good_);
     if (stress_.energy != EnergyPromise::WellsMove) energy_.see(now, result);
-    const std::int64_t notFinite = countNotFinite(world_.balls, good_);
-    result.notFinite = std::max(result.notFinite, notFinite);
+    result.notFinite = std::max(result.notFinite, countNotFinite(world_.balls, good_));
     add(stepper_->counts(), result.counts);
     result.isNamed = result.isNamed && std::ranges::equal(stepper_->quarantined(), bad_);
     if (world_.step <= stress_.apart) return;
-    result.lost = std::max(result.lost, now.escaped - notFinite);
+    result.lost = std::max(result.lost, countLost(world_, good_));
     result.overlap = std::max(result.overlap, now.worstOverlap());
   }
 

@@ -14,15 +14,19 @@
 namespace wells {
 
 /// The most energy that may appear, in parts of the energy at hand: EnergyPromise::NeverRises and
-/// ::Pressed. One yardstick for all engines, whether they keep books or not.
-inline constexpr double kRoundingGain = 1e-9;
+/// ::Pressed. One yardstick for all engines, whether they keep books or not; the first is what
+/// rounding may do in single precision.
+inline constexpr double kRoundingGain = 1e-6;
 inline constexpr double kPressedGain = 1e-2;
+
+/// A ball counts as lost when its centre is further outside than this part of its radius.
+inline constexpr double kOutside = 1e-3;
 
 /// Over all versions of a case: sums of counts, the worst of what must be small.
 struct StressResult {
   std::int64_t steps = 0;
   double stepTime = 0;         // s, wall time of the steps alone
-  std::int64_t lost = 0;       // balls outside of the arena, most at once
+  std::int64_t lost = 0;       // balls whose centre is outside of the arena, most at once
   std::int64_t notFinite = 0;  // balls, most at once; those that start so are not counted
   double gain = 0;             // J, by which energy was ever above what it had been before
   double relativeGain = 0;     // to the larger of energy, kinetic energy and 1 J at the time
