@@ -127,12 +127,13 @@ World sceneWorld(const BenchOptions& options) {
   return world;
 }
 
-BenchResult runWithProgress(Stepper& stepper, World world, std::int64_t steps) {
-  const ProgressLine line({.steps = steps, .dt = world.settings.dt, .hasEnd = true},
-                          ProgressLine::Shown::Yes);
+/// Calls run(progress) under a progress line.
+template <class Run>
+auto withProgress(std::int64_t steps, double dt, Run run) {
+  const ProgressLine line({.steps = steps, .dt = dt, .hasEnd = true}, ProgressLine::Shown::Yes);
   const auto start = std::chrono::steady_clock::now();
   RunProgress progress;
-  return benchmark(stepper, std::move(world), steps, [&](std::int64_t done) {
+  return run([&](std::int64_t done) {
     progress.step = done;
     line.show(progress,
               std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
@@ -149,8 +150,9 @@ int runBench(std::span<const std::string> arguments, char** argv) {
   CLI::App app{
       "Runs a scene with an engine; one CSV row of time and physics.\n"
       "ms_per_step is the wall time of the steps alone; overlap, energy and escaped balls "
-      "are those at the end.\n"
-      "\"bench accuracy\" measures error against CPU time instead; it takes --help too.",
+      "are those at the end. Where the energy went (.._J) is booked in a second run.\n"
+      "\"bench accuracy\" measures error against CPU time, \"bench stress\" runs worlds that break "
+      "engines; both take --help too.",
       "./run.sh bench"};
   BenchOptions options;
   addOptions(app, options);
@@ -164,8 +166,16 @@ int runBench(std::span<const std::string> arguments, char** argv) {
 
   const Scene& scene = findScene(options.scene);
   const std::int64_t steps = options.steps > 0 ? options.steps : scene.defaultSteps;
-  const auto stepper = makeEngine(options.engine, scene.sleeping ? Sleeping::On : Sleeping::Off);
-  BenchResult result = runWithProgress(*stepper, sceneWorld(options), steps);
+  const auto newStepper = [&] {
+    return makeEngine(options.engine, scene.sleeping ? Sleeping::On : Sleeping::Off);
+  };
+  const World world = sceneWorld(options);
+  BenchResult result = withProgress(steps, world.settings.dt, [&](const auto& progress) {
+    return benchmark(*newStepper(), world, steps, progress);
+  });
+  result.books = withProgress(steps, world.settings.dt, [&](const auto& progress) {
+    return bookedRun(*newStepper(), world, steps, progress);
+  });
   result.scene = options.scene;
   result.threads = options.threads;
   if (options.csv.empty())

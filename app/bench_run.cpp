@@ -46,6 +46,7 @@ BenchResult benchmark(Stepper& stepper, World world, std::int64_t steps,
     stepper.step(world);
     const auto after = Clock::now();
     times.push_back(after - before);
+    result.shares.add(stepper.counts(), world.balls.size());
     if (after - reported > std::chrono::milliseconds(100)) {
       progress(step + 1);
       reported = after;
@@ -63,19 +64,42 @@ BenchResult benchmark(Stepper& stepper, World world, std::int64_t steps,
   return result;
 }
 
+std::optional<Books> bookedRun(Stepper& stepper, World world, std::int64_t steps,
+                               const std::function<void(std::int64_t)>& progress) {
+  if (!stepper.openBooks()) return std::nullopt;
+  for (std::int64_t step = 0; step < steps; ++step) {
+    stepper.step(world);
+    if (step % 16 == 0) progress(step + 1);
+  }
+  return *stepper.books();
+}
+
 std::string csvHeader() {
   return fmt::format(
       "scene,engine,integrator,contacts,balls,dt,steps,threads,ms_per_step,ms_per_step_last100,"
-      "max_overlap_m,energy_start_J,energy_end_J,escaped,peak_rss_MiB,state_hash,{}",
+      "max_overlap_m,energy_start_J,energy_end_J,escaped,exact_share,substep_share,impacts,"
+      "handed_over,contacts_J,friction_J,drag_J,wells_J,push_out_J,flight_J,peak_rss_MiB,"
+      "state_hash,{}",
       kBuildColumns);
 }
 
 std::string csvRow(const BenchResult& r) {
+  const auto& s = r.shares;
+  const std::string shares =
+      s.exactBalls + s.substepBalls > 0
+          ? fmt::format("{:.6g},{:.6g},{},{}", s.exact(), s.substep(), s.impacts, s.handedOver)
+          : ",,,";
+  const std::string books = r.books
+                                ? fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}",
+                                              r.books->contacts, r.books->friction, r.books->drag,
+                                              r.books->wells, r.books->pushOut, r.books->flight)
+                                : ",,,,,";
   return fmt::format(
-      "{},{},{},{},{},{:.17g},{},{},{:.6g},{:.6g},{:.6g},{:.17g},{:.17g},{},{:.1f},{},{}", r.scene,
-      r.engine, csvField(r.integrator), csvField(r.contacts), r.balls, r.dt, r.steps, r.threads,
-      r.msPerStep, r.msPerStepLast100, r.end.worstOverlap(), r.start.energy(), r.end.energy(),
-      r.end.escaped, r.peakRss, hashText(r.stateHash), buildColumns());
+      "{},{},{},{},{},{:.17g},{},{},{:.6g},{:.6g},{:.6g},{:.17g},{:.17g},{},{},{},{:.1f},{},{}",
+      r.scene, r.engine, csvField(r.integrator), csvField(r.contacts), r.balls, r.dt, r.steps,
+      r.threads, r.msPerStep, r.msPerStepLast100, r.end.worstOverlap(), r.start.energy(),
+      r.end.energy(), r.end.escaped, shares, books, r.peakRss, hashText(r.stateHash),
+      buildColumns());
 }
 
 }  // namespace wells

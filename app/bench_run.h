@@ -4,9 +4,10 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
-#include "state/stepper.h"
+#include "state/contact_shares.h"
 #include "world/measures.h"
 
 namespace wells {
@@ -24,7 +25,9 @@ struct BenchResult {
   double msPerStepLast100 = 0;  // of the last 100 steps, or of all if there are fewer
   Measures start;
   Measures end;
-  double peakRss = 0;  // MiB, of the whole process
+  ContactShares shares;
+  std::optional<Books> books;  // of a run of its own; nothing where the engine keeps none
+  double peakRss = 0;          // MiB, of the whole process
   std::uint64_t stateHash = 0;
 };
 
@@ -32,6 +35,11 @@ struct BenchResult {
 /// called with the number of steps done, about ten times a second at most.
 BenchResult benchmark(Stepper& stepper, World world, std::int64_t steps,
                       const std::function<void(std::int64_t)>& progress);
+
+/// Steps the same world again with a new stepper that keeps books, so that keeping them is not in
+/// the times. Nothing where it cannot.
+std::optional<Books> bookedRun(Stepper& stepper, World world, std::int64_t steps,
+                               const std::function<void(std::int64_t)>& progress);
 
 /// The header line of the CSV file, without line end.
 std::string csvHeader();

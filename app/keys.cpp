@@ -63,7 +63,10 @@ std::vector<Key> makeKeys() {
        integerKey("Substeps", WELLS_FIELD(settings.substeps), 1, 1000,
                   "substeps of a step, where balls may touch something"),
        integerKey("Iterations", WELLS_FIELD(settings.iterations), 1, 10'000,
-                  "passes of the contact solver in a substep")});
+                  "passes of the contact solver in a substep"),
+       integerKey("MostImpacts", WELLS_FIELD(settings.mostImpacts), 1, 1'000'000'000,
+                  "elastic impacts among balls that may meet in one step; with more, "
+                  "ContactMethod exact stops and auto leaves them to the substeps")});
   addGroup(
       table, "This peer and its well", Scope::Peer,
       {integerKey(

@@ -32,7 +32,10 @@ void RunRecorder::show(const World& world, const Owners& owners, WhenBusy whenBu
 }
 
 void RunRecorder::stepped(const World& world, const Stepper& stepper) {
-  report_.latePairs += stepper.counts().latePairs;
+  const StepCounts counts = stepper.counts();
+  report_.latePairs += counts.latePairs;
+  report_.shares.add(counts, world.balls.size());
+  report_.flightStretches = std::max(report_.flightStretches, counts.flightStretches);
   progress_.step = world.step;
   if (static_cast<std::int64_t>(world.time()) != sampledSecond_) sample(world);
 }
@@ -44,6 +47,8 @@ void RunRecorder::end(const World& world, const Stepper& stepper) {
   report_.simulatedTime = world.time();
   report_.stateHash = hashText(stateHash(world));
   report_.balls = world.balls;
+  report_.quarantined.assign(stepper.quarantined().begin(), stepper.quarantined().end());
+  if (const Books* const books = stepper.books()) report_.books = *books;
   if (!measures()) return;
   const Measures last = measure(world);
   report_.energyEnd = last.energy();

@@ -26,10 +26,63 @@ Json dropsAsJson(const RunReport& r) {
   return drops;
 }
 
+Json vectorAsJson(const Vec3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+Json impulseAsJson(const ImpulseBook& book) {
+  return {{"linear_N_s", vectorAsJson(book.linear)},
+          {"angular_kg_m2_per_s", vectorAsJson(book.angular)}};
+}
+
+Json booksAsJson(const Books& b) {
+  return {{"contacts_J", b.contacts},
+          {"friction_J", b.friction},
+          {"drag_J", b.drag},
+          {"wells_J", b.wells},
+          {"push_out_J", b.pushOut},
+          {"flight_J", b.flight},
+          {"outside_J", b.outside},
+          {"ground", impulseAsJson(b.ground)},
+          {"wall", impulseAsJson(b.wall)},
+          {"fields", impulseAsJson(b.fields)},
+          {"shifts", impulseAsJson(b.shifts)},
+          {"changes", impulseAsJson(b.changes)}};
+}
+
+Json sharesAsJson(const ContactShares& s) {
+  return {{"exact", s.exact()},
+          {"substep", s.substep()},
+          {"impacts", s.impacts},
+          {"clusters", s.clusters},
+          {"islands_handed_over", s.handedOver}};
+}
+
+std::string booksAsText(const Books& b) {
+  return fmt::format(
+      "energy booked: contacts {:.6g} J, friction {:.6g} J, drag {:.6g} J, wells {:.6g} J, "
+      "push-out "
+      "{:.6g} J, flight {:.3g} J, from outside {:.6g} J\n",
+      b.contacts, b.friction, b.drag, b.wells, b.pushOut, b.flight, b.outside);
+}
+
+/// What a person should not miss, each on its line.
+std::string remarks(const RunReport& r) {
+  std::string text;
+  if (r.flightStretches > 1)
+    text += fmt::format("flight was divided into {} stretches a step: the wells are sharp\n",
+                        r.flightStretches);
+  if (!r.quarantined.empty())
+    text += fmt::format(
+        "{} ball(s) with a state that is not finite stand still and touch nothing: {}\n",
+        r.quarantined.size(), fmt::join(r.quarantined, ", "));
+  return text;
+}
+
 }  // namespace
 
 std::string reportAsJson(const RunReport& r) {
-  const Json json = {
+  Json json = {
       {"format", 1},
       {"engine", r.engine},
       {"integrator", r.integrator},
@@ -45,6 +98,9 @@ std::string reportAsJson(const RunReport& r) {
       {"escaped", r.escaped},
       {"state_hash", r.stateHash},
       {"late_pairs", r.latePairs},
+      {"contact_shares", sharesAsJson(r.shares)},
+      {"flight_stretches", r.flightStretches},
+      {"quarantined", r.quarantined},
       {"transport", r.transport},
       {"peer", r.peer},
       {"peers", r.peers},
@@ -70,6 +126,7 @@ std::string reportAsJson(const RunReport& r) {
       {"frames_drawn", r.framesDrawn},
       {"frames_repeated", r.framesRepeated},
   };
+  if (r.books) json["books"] = booksAsJson(*r.books);
   return json.dump(2) + "\n";
 }
 
@@ -79,6 +136,13 @@ std::string reportAsText(const RunReport& r) {
       "energy {:.6g} J, then {:.6g} J; worst overlap {:.3g} m; {} of {} balls escaped; state {}\n",
       r.steps, r.simulatedTime, r.wallTime, r.engine, r.integrator, r.contacts, r.energyStart,
       r.energyEnd, r.maxOverlap, r.escaped, r.balls.size(), r.stateHash);
+  if (r.shares.exactBalls + r.shares.substepBalls > 0)
+    text += fmt::format(
+        "contacts: {:.1f} % of the balls' steps by exact impacts ({} of them), {:.1f} % by "
+        "substeps; {} islands handed over\n",
+        100 * r.shares.exact(), r.shares.impacts, 100 * r.shares.substep(), r.shares.handedOver);
+  if (r.books) text += booksAsText(*r.books);
+  text += remarks(r);
   if (r.peers.empty() || r.transport == "none") return text;
   return text +
          fmt::format(

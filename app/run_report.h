@@ -3,11 +3,12 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "state/balls.h"
+#include "state/contact_shares.h"
 
 namespace wells {
 
@@ -33,6 +34,10 @@ struct RunReport {
   std::int64_t escaped = 0;  // balls, at the end
   std::string stateHash;
   std::int64_t latePairs = 0;
+  ContactShares shares;
+  std::int64_t flightStretches = 1;        // most into which the flight of a step was divided
+  std::vector<std::uint32_t> quarantined;  // balls whose state is not finite, at the end
+  std::optional<Books> books;              // since the start, with --measures
 
   std::string transport = "none";
   std::int64_t peer = 0;
