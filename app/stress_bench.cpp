@@ -45,15 +45,18 @@ struct StressOptions {
 std::optional<StressOptions> parse(std::span<const std::string> arguments) {
   CLI::App app{
       "Runs worlds that break engines, each engine in a process of its own, and says what held.\n"
-      "lost: balls outside of the arena, most at once; NaN: balls whose state is no longer finite; "
-      "gain: by how much kinetic + potential energy was ever above what it had been before "
-      "(gain/E: "
-      "relative to the energy at hand); overlap: the worst; exact: the share of balls that ours "
-      "moved by exact impacts; handed: islands that it left to the substeps instead.\n"
-      "gained energy: more than 1e-6 of what is at hand (single precision rounds to 6e-8); more "
-      "than 1e-2 where gravity or wells "
-      "press "
-      "balls together for long; not judged where wells move.",
+      "  lost      balls whose centre is outside of the arena, most at once\n"
+      "  NaN       balls whose state is no longer finite\n"
+      "  gain      by how much kinetic + potential energy was ever above what it had been before;\n"
+      "            gain/E: in parts of the energy at hand\n"
+      "  overlap   the worst; where balls start overlapped, of the time when they must be apart\n"
+      "  exact     share of the balls that ours moved by exact impacts instead of substeps\n"
+      "  handed    groups of balls that ours began by exact impacts and left to the substeps\n"
+      "Verdicts: \"gained energy\" is more than 1e-6 of what is at hand (single precision rounds "
+      "to\n"
+      "6e-8), or more than 1e-2 where gravity or wells press balls together for long; it is not\n"
+      "judged where wells move. \"infected\": a ball that starts with NaN or infinity changed "
+      "others.",
       "./run.sh bench stress"};
   StressOptions options;
   std::vector<std::string> names;

@@ -76,6 +76,7 @@ StressRow::StressRow(const StressCase& stress, const Stepper& ran, const StressR
             std::to_string(counts.handedOver),
             std::to_string(counts.latePairs),
             number(msPerStep),
+            r.firstBroken,
             wells::verdict(stress, r),
             r.gaveUp.empty() ? "" : r.gaveUp.front()};
   // A separator within a reason would make two cells of it.

@@ -53,8 +53,7 @@ void add(const StepCounts& step, StepCounts& sum) {
 std::int64_t countNotFinite(const Balls& balls, std::span<const std::uint32_t> among) {
   std::int64_t count = 0;
   for (const std::uint32_t i : among)
-    if (!isFinite(balls.position[i]) || !isFinite(balls.velocity[i]) || !isFinite(balls.spin[i]))
-      ++count;
+    if (!isFinite(balls.state(i))) ++count;
   return count;
 }
 
@@ -160,14 +159,16 @@ StressResult runStress(const StressCase& stress, const MakeStepper& makeStepper,
     if (change) change(start.world);
     StressRun run(stress, start, makeStepper);
     run.run(end, observe, result);
-    if (start.bad == 0) continue;
-
-    const World without = withoutLast(start.world, start.bad);
-    StressRun twin(stress, {.about = {}, .world = without}, makeStepper);
-    StressResult ofTwin;
-    twin.run(end, {}, ofTwin);
-    if (stateHash(withoutLast(run.world(), start.bad)) != stateHash(twin.world()))
-      result.isInfected = true;
+    if (start.bad > 0) {
+      const World without = withoutLast(start.world, start.bad);
+      StressRun twin(stress, {.about = {}, .world = without}, makeStepper);
+      StressResult ofTwin;
+      twin.run(end, {}, ofTwin);
+      if (stateHash(withoutLast(run.world(), start.bad)) != stateHash(twin.world()))
+        result.isInfected = true;
+    }
+    if (result.firstBroken.empty() && verdict(stress, result) != "held")
+      result.firstBroken = start.about;
   }
   return result;
 }

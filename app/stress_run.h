@@ -35,6 +35,7 @@ struct StressResult {
   bool isInfected = false;     // a ball that starts not finite changed others
   bool isNamed = true;         // quarantined() was always the balls that start not finite
   bool isOutOfTime = false;
+  std::string firstBroken;          // the first version in which a promise did not hold
   std::vector<std::string> gaveUp;  // what steps threw: version and reason
 };
 
