@@ -101,8 +101,10 @@ IslandFate ExactFlight::simulate(const StepInput& in, std::span<const Contact> p
       ++version_[event.ball];
     } else {
       gatherCluster(in, pairs, event, balls);
+      const std::int64_t before = counts_.impacts;
       const IslandFate fate = resolve(in, event.time, balls);
       if (fate != IslandFate::Done) return fate;
+      if (counts_.impacts == before) continue;  // it closes by rounding alone
       for (const std::uint32_t i : clusterBalls_) {
         if (isTooFar(i, balls, reach)) return IslandFate::TooFar;
         book(in, i, event.time, balls);
@@ -125,7 +127,8 @@ IslandFate ExactFlight::resolve(const StepInput& in, double time, Balls& balls) 
     return IslandFate::Sustained;
   const std::int64_t impulses =
       resolveImpacts(elasticity, in.settings.friction, cluster_, balls, ledger_);
-  if (impulses == 0) return IslandFate::Sustained;  // it touches and does not close: it lasts
+  // It touches and closes no faster than rounding: where a force may press it together, it lasts.
+  if (impulses == 0 && mayBePressed(in, time, balls)) return IslandFate::Sustained;
   counts_.impacts += impulses;
   if (cluster_.size() > 1) ++counts_.clusters;
   if (isElastic)
@@ -242,18 +245,26 @@ void ExactFlight::gatherCluster(const StepInput& in, std::span<const Contact> pa
     for (std::uint32_t k = 0; k < pairCount_[i]; ++k) inCluster_[pairsOf_[firstPair_[i] + k]] = 0;
 }
 
+double ExactFlight::pressingBound(const StepInput& in, double time, const Contact& c,
+                                  const Balls& balls) const {
+  const double substep = dt_ / in.settings.substeps;
+  const auto bound = [&](std::uint32_t i) {
+    return accelerationBound(in.model, path_[i].motion, balls.state(i), time, substep);
+  };
+  return bound(c.a) + (isBall(c.b) ? bound(c.b) : length(in.settings.gravity));
+}
+
+bool ExactFlight::mayBePressed(const StepInput& in, double time, const Balls& balls) const {
+  return std::any_of(cluster_.begin(), cluster_.end(),
+                     [&](const Contact& c) { return pressingBound(in, time, c, balls) > 0; });
+}
+
 bool ExactFlight::isTooSlow(const StepInput& in, double time, const Balls& balls) const {
   const double substep = dt_ / in.settings.substeps;
-  const double gravity = length(in.settings.gravity);
-  for (const Contact& c : cluster_) {
-    const auto bound = [&](std::uint32_t i) {
-      return accelerationBound(in.model, path_[i].motion, balls.state(i), time, substep);
-    };
-    const double pressing = bound(c.a) + (isBall(c.b) ? bound(c.b) : gravity);
+  return std::any_of(cluster_.begin(), cluster_.end(), [&](const Contact& c) {
     const double closing = closingSpeed(balls, c);
-    if (closing > 0 && closing < pressing * substep / 2) return true;
-  }
-  return false;
+    return closing > 0 && closing < pressingBound(in, time, c, balls) * substep / 2;
+  });
 }
 
 bool ExactFlight::isTooFar(std::uint32_t ball, const Balls& balls, std::span<double> reach) const {

@@ -108,6 +108,10 @@ class ExactFlight {
   bool isOutdated(std::span<const Contact> pairs, const Event& event) const;
   void gatherCluster(const StepInput& in, std::span<const Contact> pairs, const Event& event,
                      Balls& balls);
+  /// Bound (m/s^2) on what presses a contact together.
+  double pressingBound(const StepInput& in, double time, const Contact& c,
+                       const Balls& balls) const;
+  bool mayBePressed(const StepInput& in, double time, const Balls& balls) const;
   bool isTooSlow(const StepInput& in, double time, const Balls& balls) const;
   bool isTooFar(std::uint32_t ball, const Balls& balls, std::span<double> reach) const;
 

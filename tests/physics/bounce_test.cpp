@@ -9,6 +9,7 @@
 #include "scenes/exact_answers.h"
 #include "support/oracle_world.h"
 #include "support/run_world.h"
+#include "support/transformed_world.h"
 #include "world/measures.h"
 
 namespace wells {
@@ -91,6 +92,16 @@ TEST(Zeno, RestsForAMillionSteps) {
   }
   EXPECT_LE(worst, 1e-9);
   EXPECT_LE(std::hypot(world.balls.position[0].x(), world.balls.position[0].z()), 1e-9);
+}
+
+// Nor anywhere else, where the ground's height is no round number.
+TEST(Zeno, RestsAnywhere) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const Transform seen = randomTransform(seed, 1, 1000);
+    World world = seen.apply(makeScene(findScene("zeno-rest")));
+    run(world, 20'000);
+    EXPECT_LE(length(seen.undo(world).position[0] - Vec3(0, 0.5, 0)), 1e-9) << seed;
+  }
 }
 
 }  // namespace
