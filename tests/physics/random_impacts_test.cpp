@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "math/random.h"
+#include "scenes/unit_balls.h"
 #include "support/oracle_world.h"
 #include "support/run_world.h"
 
@@ -68,6 +69,22 @@ TEST(RandomImpacts, FollowTheReference) {
     }
   }
   EXPECT_GT(compared, 500);
+}
+
+// A ball at rest is thrown 4 m within the step, further than it could be expected to move, against
+// another one at rest; what hits that one from beyond throws all of them back to where they began.
+TEST(RandomImpacts, ReachBeyondWhatWasForeseenAndBack) {
+  World world = freeWorld();
+  world.settings.dt = 1;
+  addUnitBall(world, {-6, 1, 0}, {40, 0, 0});
+  addUnitBall(world, {0, 1, 0});
+  addUnitBall(world, {5, 1, 0});
+  addUnitBall(world, {25, 1, 0}, {-40, 0, 0});
+  std::vector<oracle::Body> bodies = oracle::bodiesOf(world);
+  EXPECT_EQ(oracle::fly(oracle::rulesOf(world), bodies, 1).count, 5);
+  EXPECT_EQ(run(world, 1).impacts, 5);
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_LE(length(world.balls.position[i] - oracle::vectorOf(bodies[i].x)), 1e-12) << i;
 }
 
 }  // namespace
