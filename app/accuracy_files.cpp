@@ -115,8 +115,9 @@ std::string conditionsText(std::span<const CaseResult> cases, std::string_view c
   std::string text = fmt::format(
       "command    {}\ncommit     {}\ncompiler   {}\nflags      {}\nprocessor  {}\n\n"
       "Error: the largest distance of a ball from the exact answer at the end, from a run of its "
-      "own.\nCPU time: of the process, in the step calls alone, median; the first step, in which "
-      "engines\nbuild what they keep, is not timed but counted like the others.\n\nNot run:\n",
+      "own.\nCPU time: of the process, in the step calls alone, of an engine that has run before; "
+      "median. Bullet,\nwhich cannot start over, is made anew; its first step, which builds its "
+      "world, is not timed but\ncounted like the others.\n\nNot run:\n",
       command, build_info::kCommit, build_info::kCompiler, build_info::kFlags, processor());
   for (const CaseResult& result : cases)
     for (const Ladder& ladder : result.ladders)

@@ -1,72 +1,27 @@
 #include "accuracy_run.h"
 
 #include <fmt/format.h>
-#include <time.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <stdexcept>
 
+#include "accuracy_task.h"
+#include "accuracy_timing.h"
 #include "engines.h"
 #include "errors.h"
 #include "flight/integrators.h"
-#include "scenes/catalogue.h"
 #include "world/measures.h"
 
 namespace wells {
 namespace {
 
-// Runs too short for the clock are timed by so many at once. More would push each other's memory
-// out of the cache.
-constexpr std::size_t kTimedTogether = 8;
-
-/// s of this process, all threads.
-double cpuTime() {
-  timespec now{};
-  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-/// One step size of one method of one case.
-struct Task {
-  const AccuracyCase& answer;
-  const Scene& scene;
-  const Method& method;
-  std::int64_t steps;
-
-  double dt() const { return answer.duration / static_cast<double>(steps); }
-
-  World world() const {
-    World start = makeScene(scene);
-    start.settings.dt = dt();
-    if (method.engine != "ours") return start;
-    start.settings.integrator = method.integrator;
-    start.settings.contactMethod = *contactMethod(method.contacts);
-    return start;
-  }
-
-  std::unique_ptr<Stepper> stepper() const {
-    return makeEngine(method.engine, scene.sleeping ? Sleeping::On : Sleeping::Off);
-  }
-};
-
-/// An engine that has taken the first step, in which it builds what it keeps (Bullet its world).
-struct WarmRun {
-  World world;
-  std::unique_ptr<Stepper> stepper;
-
-  explicit WarmRun(const Task& task) : world(task.world()), stepper(task.stepper()) {
-    stepper->step(world);
-  }
-};
-
 bool conservesEnergy(const World& world) {
   return world.settings.elasticity == 1 && world.settings.friction == 0 && world.settings.drag == 1;
 }
 
-WorkPoint measureErrors(const Task& task) {
+WorkPoint measureErrors(const AccuracyTask& task) {
   World world = task.world();
   const Measures start = measure(world);
   const auto stepper = task.stepper();
@@ -84,33 +39,13 @@ WorkPoint measureErrors(const Task& task) {
   return point;
 }
 
-/// CPU time (s) of all steps. The first is not timed but counted like the others.
-double timeOnce(const Task& task, const LadderLimits& limits, double expected, std::uint64_t hash) {
-  const std::size_t together = expected < limits.shortestTiming ? kTimedTogether : 1;
-  double time = 0;
-  std::int64_t timedSteps = 0;
-  while (time < limits.shortestTiming || timedSteps == 0) {
-    std::vector<WarmRun> runs;
-    for (std::size_t run = 0; run < together; ++run) runs.emplace_back(task);
-    const double start = cpuTime();
-    for (WarmRun& run : runs)
-      for (std::int64_t step = 1; step < task.steps; ++step) run.stepper->step(run.world);
-    time += cpuTime() - start;
-    timedSteps += static_cast<std::int64_t>(together) * (task.steps - 1);
-    if (stateHash(runs.back().world) != hash)
-      throw RunError(fmt::format("{}, {}, dt = {} s: two runs end with different bits",
-                                 task.answer.scene, name(task.method), task.dt()));
-  }
-  return time / static_cast<double>(timedSteps) * static_cast<double>(task.steps);
-}
-
-WorkPoint run(const Task& task, const LadderLimits& limits) {
+WorkPoint run(const AccuracyTask& task, const LadderLimits& limits) {
   const double start = cpuTime();
   WorkPoint point = measureErrors(task);
-  const double expected = cpuTime() - start;
+  StepTiming timing(task, limits.shortestTiming, cpuTime() - start, point.stateHash);
   std::vector<double> times;
   for (std::int64_t repeat = 0; repeat < limits.repeats; ++repeat)
-    times.push_back(timeOnce(task, limits, expected, point.stateHash));
+    times.push_back(timing.measure());
   point.cpu = median(times);
   point.repeats = limits.repeats;
   return point;
@@ -143,7 +78,7 @@ Ladder runLadder(const AccuracyCase& answer, const Method& method, const LadderL
   }
   double timeOfStep = 0;  // s, with the last step size
   for (const std::int64_t steps : stepLadder(answer.duration, limits.coarsestStep, limits.rungs)) {
-    const Task task{answer, findScene(answer.scene), method, steps};
+    const AccuracyTask task{answer, findScene(answer.scene), method, steps};
     const double expected = timeOfStep * static_cast<double>(steps);
     if (expected > limits.longestRun) {
       ladder.notes.push_back(

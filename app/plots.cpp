@@ -21,7 +21,9 @@ namespace fs = std::filesystem;
 
 constexpr double kLowestShown = 1e-16;  // m
 constexpr double kHighestShown = 1e3;   // m
-constexpr int kOverviewColumns = 3;
+constexpr int kCellWidth = 480;         // pixels, in the overview
+constexpr int kCellHeight = 380;
+constexpr int kMostColumns = 5;
 constexpr double kLongestWait = 120;  // s, for gnuplot
 
 enum class Legend { Shown, Hidden };
@@ -30,6 +32,7 @@ enum class Legend { Shown, Hidden };
 std::string preamble(const std::string& file, int width, int height, int fontSize) {
   return fmt::format(
       "# Draws {0}.png; in this folder: gnuplot {0}.gp\n"
+      "reset\n"
       "set terminal pngcairo size {1},{2} font 'DejaVu Sans,{3}' background 'white'\n"
       "set output '{0}.png'\n"
       "set datafile separator comma\n"
@@ -54,15 +57,18 @@ std::string label(const Ladder& ladder) {
   return legendName(ladder.method) + (order ? fmt::format(": order {:.1f}", *order) : "");
 }
 
+/// Those that ran. The default first: it is the widest line and must not hide others.
+std::vector<Ladder> inDrawingOrder(std::vector<Ladder> ladders) {
+  std::erase_if(ladders, [](const Ladder& ladder) { return ladder.points.empty(); });
+  std::stable_partition(ladders.begin(), ladders.end(),
+                        [](const Ladder& ladder) { return ladder.method == defaultMethod(); });
+  return ladders;
+}
+
 /// The plot command: a line for each method.
 std::string plotLines(const CaseResult& result, Legend legend, double scale) {
   std::string lines = "plot";
-  // The default first: it is the widest.
-  std::vector<Ladder> ladders = result.ladders;
-  std::stable_partition(ladders.begin(), ladders.end(),
-                        [](const Ladder& ladder) { return ladder.method == defaultMethod(); });
-  for (const Ladder& ladder : ladders) {
-    if (ladder.points.empty()) continue;
+  for (const Ladder& ladder : inDrawingOrder(result.ladders)) {
     lines += fmt::format(
         "{} \\\n  '{}.csv' using (is('{}', '{}', '{}') ? column('cpu_s') : NaN)"
         ":(clipped(column('error_m'))) with linespoints {} {}",
@@ -80,7 +86,7 @@ struct Span {
 
 /// The powers of ten around the CPU times.
 Span timeSpan(const CaseResult& result) {
-  Span span{1e300, 0};
+  Span span{1, 1e-6};
   for (const Ladder& ladder : result.ladders)
     for (const WorkPoint& point : ladder.points)
       span = {std::min(span.low, point.cpu), std::max(span.high, point.cpu)};
@@ -120,7 +126,7 @@ std::string caseScript(const CaseResult& result) {
              "set title \"{{/:Bold {}}}: {}\"\n"
              "set xlabel 'CPU time of the steps until t = {:g} s (s)'\n"
              "set ylabel 'largest error of a position at t = {:g} s (m)'\n"
-             "set key outside right top Left reverse spacing 1.3 samplen 3 font ',14'\n",
+             "set key outside right top Left reverse spacing 1.3 samplen 3 font ',15'\n",
              result.scene, result.about, result.duration, result.duration) +
          frame(result, 13) + plotLines(result, Legend::Shown, 1);
 }
@@ -128,28 +134,32 @@ std::string caseScript(const CaseResult& result) {
 /// An empty plot with the legend of all.
 std::string legendCell(const CaseResult& result) {
   std::string cell =
-      "\nunset arrow\nunset label\nunset title\nunset xlabel\nunset ylabel\nunset tics\n"
-      "unset border\nunset logscale\nset key inside left center Left reverse spacing 1.2\n"
+      "\nunset arrow\nunset label\nunset title\nunset tics\nunset border\n"
+      "unset logscale\nset key inside left center Left reverse spacing 1.05\n"
       "set xrange [0:1]\nset yrange [0:1]\nplot";
-  for (const Ladder& ladder : result.ladders)
+  for (const Ladder& ladder : inDrawingOrder(result.ladders))
     cell += fmt::format("{} \\\n  NaN with linespoints {} title \"{}\"",
-                        cell.ends_with("plot") ? "" : ",", plotStyle(ladder.method, 0.7),
+                        cell.ends_with("plot") ? "" : ",", plotStyle(ladder.method, 0.6),
                         legendName(ladder.method));
   return cell + "\n";
 }
 
 std::string overviewScript(std::span<const CaseResult> cases) {
   const int cells = static_cast<int>(cases.size()) + 1;
-  const int columns = std::min(kOverviewColumns, cells);
+  const int columns = std::min(kMostColumns, cells);
   const int rows = (cells + columns - 1) / columns;
-  std::string script = preamble("overview", 640 * columns, 480 * rows, 13) +
-                       fmt::format("set multiplot layout {},{}\n", rows, columns);
+  std::string script =
+      preamble("overview", kCellWidth * columns, kCellHeight * rows, 11) +
+      fmt::format(
+          "set multiplot layout {},{} title \"largest error of a position (m) against CPU "
+          "time of the steps (s)\" font ',16'\n",
+          rows, columns);
   for (const CaseResult& result : cases)
     script += fmt::format(
-                  "\nunset arrow\nunset label\nset title \"{{/:Bold {}}}, t = {:g} s\"\n"
-                  "set xlabel 'CPU time (s)'\nset ylabel 'error (m)'\nunset key\n",
+                  "\nunset arrow\nunset label\nunset key\n"
+                  "set title \"{{/:Bold {}}}, t = {:g} s\" offset 0,-0.6\n",
                   result.scene, result.duration) +
-              frame(result, 10) + plotLines(result, Legend::Hidden, 0.7);
+              frame(result, 9) + plotLines(result, Legend::Hidden, 0.6);
   return script + legendCell(cases.front()) + "unset multiplot\n";
 }
 
