@@ -181,6 +181,9 @@ void addOutputOptions(CLI::App& app, PeerOptions& options) {
   addPath(app, "--state-out", options.stateOut,
           "writes all balls at the end as CSV, 17 digits, as BallsFile reads it", group);
   addPath(app, "--report", options.report, "writes what was measured as JSON", group);
+  app.add_flag("--measures", options.measures,
+               "books energy and momentum by source, for the summary and --report; costs time")
+      ->group(group);
 }
 
 void requireOutputs(const PeerOptions& options) {

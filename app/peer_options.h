@@ -38,6 +38,7 @@ struct PeerOptions {
   std::filesystem::path stateOut;    // empty: none
   std::filesystem::path report;      // empty: none
   std::filesystem::path snapshot;    // to be written; empty: none
+  bool measures = false;             // keeps books of energy and momentum
   std::int64_t snapshotEvery = 0;    // steps; 0: only at the end
   std::optional<Snapshot> restored;  // goes on from this, with its config and engine
   std::vector<std::string> notices;  // about the config file

@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
+#include <span>
 #include <vector>
 
 #include "engines.h"
 #include "errors.h"
+#include "forces/field.h"
 #include "interrupt.h"
 #include "peer_runs.h"
 #include "run_recorder.h"
@@ -22,6 +24,22 @@ bool isSaveDue(const PeerOptions& options, std::int64_t step) {
   return options.snapshotEvery > 0 && step % options.snapshotEvery == 0;
 }
 
+/// Wells so sharp that a step could not be divided finely enough to resolve them.
+void requireResolvable(std::span<const WellTrack> tracks, double dt) {
+  for (const WellTrack& track : tracks)
+    for (const WellKeyframe& key : track.keyframes) {
+      const double stretches = stretchesWanted(key.strength, track.softening, dt);
+      if (stretches <= kMostStretches) continue;
+      throw UsageError(
+          fmt::format("a well of strength {} m^3/s^2 with softening {} m: flight past it takes "
+                      "{:.0f} stretches "
+                      "in a step of {:.6g} s; allowed: up to {}, so a larger softening, a smaller "
+                      "strength or a "
+                      "shorter Dt",
+                      key.strength, track.softening, stretches, dt, kMostStretches));
+    }
+}
+
 }  // namespace
 
 PeerSetup::PeerSetup(const PeerOptions& peerOptions)
@@ -36,6 +54,13 @@ PeerSetup::PeerSetup(const PeerOptions& peerOptions)
                     options.engine));
   }
   if (options.restored) stepper->restore(options.restored->memory);
+  if (options.measures && !stepper->openBooks())
+    throw UsageError(
+        fmt::format("--measures: engine {} keeps no books; allowed: ours", options.engine));
+  if (options.engine != "ours") return;
+  requireResolvable(world.tracks, world.settings.dt);
+  const WellTrack own = motion.trackAt(PeerId{1}, world.step);
+  requireResolvable({&own, 1}, world.settings.dt);
 }
 
 void PeerSetup::saveSnapshot() const {

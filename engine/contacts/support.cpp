@@ -10,7 +10,9 @@ namespace wells {
 namespace {
 
 constexpr double kSlipRatio = 1 + 1 / kInertiaFactor;  // du/dt over dv/dt of friction, 7/2
-constexpr double kSlipNoise = 1e-13;                   // of the speeds that a slip is made of
+// A slip this small, of the speeds that it is made of, is over. (A slip that turns on its way to
+// zero is followed there in ever shorter stretches, which this ends.)
+constexpr double kSlipNoise = 1e-10;
 
 /// A vector in the ground's plane.
 struct Flat {
@@ -195,12 +197,15 @@ void holdOnGround(const PathModel& model, Path& path) {
   ball.position.y() = model.arena->center.y() + path.radius;
   ball.velocity.y() = 0;
   const Flat slip = slipOf(ball, path.radius);
-  const Load load = loadOn(model, ball, path.start);
-  if (model.friction == 0 || length(slip) > slipNoise(ball, path.radius) || !canRoll(model, load)) {
+  if (model.friction == 0 || length(slip) > slipNoise(ball, path.radius) ||
+      !canRoll(model, loadOn(model, ball, path.start))) {
     path.motion = Motion::Sliding;
     return;
   }
+  // The last of the slip goes by the impulse that stops it.
   path.motion = Motion::Rolling;
+  ball.velocity.x() -= slip.x / kSlipRatio;
+  ball.velocity.z() -= slip.z / kSlipRatio;
   setSlip(ball, path.radius, {});
 }
 
@@ -245,22 +250,9 @@ double endOfMotion(const PathModel& model, const Path& path, double until) {
 }
 
 Path pathAfter(const PathModel& model, const Path& path, double end) {
-  BallState now = stateAt(model, path, end);
-  const Load load = loadOn(model, now, end);
-  if (!(load.pressing > 0)) return {now, end, path.radius, Motion::Flying};
-  if (path.motion == Motion::Rolling) return {now, end, path.radius, Motion::Sliding};
-  // The slip is over: the last of it, rounding, goes by the impulse that stops it.
-  const Flat slip = slipOf(now, path.radius);
-  if (length(slip) > 1e-9 * length(slipOf(path.state, path.radius)))
-    return {now, end, path.radius, Motion::Sliding};  // it has turned; on in its new direction
-  now.velocity.x() -= slip.x / kSlipRatio;
-  now.velocity.z() -= slip.z / kSlipRatio;
-  if (canRoll(model, load)) {
-    setSlip(now, path.radius, {});
-    return {now, end, path.radius, Motion::Rolling};
-  }
-  setSlip(now, path.radius, {});
-  return {now, end, path.radius, Motion::Sliding};
+  Path next{stateAt(model, path, end), end, path.radius, Motion::Flying};
+  if (loadOn(model, next.state, end).pressing > 0) holdOnGround(model, next);
+  return next;
 }
 
 }  // namespace wells

@@ -26,13 +26,16 @@ void updateField(const World& world, std::int64_t step, Field& field) {
           : world.settings.dt / static_cast<double>(stretchesOf(field.wells, world.settings.dt));
 }
 
+double stretchesWanted(double strength, double softening, double dt) {
+  const double omega = std::sqrt(std::abs(strength) / (softening * softening * softening));
+  return dt * omega / kStretchPhase;
+}
+
 std::int64_t stretchesOf(const std::vector<Well>& wells, double dt) {
-  double sharpest = 0;  // 1/s^2
+  double most = 1;
   for (const Well& well : wells)
-    sharpest = std::max(
-        sharpest, std::abs(well.strength) / (well.softening * well.softening * well.softening));
-  const double stretches = std::ceil(dt * std::sqrt(sharpest) / kStretchPhase);
-  return static_cast<std::int64_t>(std::clamp(stretches, 1.0, static_cast<double>(kMostStretches)));
+    most = std::max(most, stretchesWanted(well.strength, well.softening, dt));
+  return static_cast<std::int64_t>(std::min(std::ceil(most), static_cast<double>(kMostStretches)));
 }
 
 double dragFactor(double drag, double h) {

@@ -30,6 +30,9 @@ void updateField(const World& world, std::int64_t step, Field& field);
 /// what is symplectic at a fixed step stays so. At most kMostStretches.
 std::int64_t stretchesOf(const std::vector<Well>& wells, double dt);
 
+/// The same for one well, before rounding and without a limit.
+double stretchesWanted(double strength, double softening, double dt);
+
 inline constexpr double kStretchPhase = 0.25;  // rad
 inline constexpr std::int64_t kMostStretches = 10'000;
 
