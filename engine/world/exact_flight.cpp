@@ -251,7 +251,11 @@ double ExactFlight::pressingBound(const StepInput& in, double time, const Contac
   const auto bound = [&](std::uint32_t i) {
     return accelerationBound(in.model, path_[i].motion, balls.state(i), time, substep);
   };
-  return bound(c.a) + (isBall(c.b) ? bound(c.b) : length(in.settings.gravity));
+  if (isBall(c.b)) return bound(c.a) + bound(c.b);
+  // A ball that runs along the wall is pressed to it by its own inertia.
+  const double inertia =
+      c.b == kWall ? squaredLength(balls.velocity[c.a]) / in.model.arena->radius : 0;
+  return bound(c.a) + length(in.settings.gravity) + inertia;
 }
 
 bool ExactFlight::mayBePressed(const StepInput& in, double time, const Balls& balls) const {
