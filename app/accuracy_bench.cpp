@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <filesystem>
-#include <thread>
 
 #include "accuracy_files.h"
 #include "accuracy_options.h"
@@ -70,13 +69,9 @@ Ladder runElsewhere(const AccuracyOptions& options, const std::string& scene,
   const fs::path points = options.out / fmt::format(".{}.json", engine);
   const fs::path log = options.out / fmt::format(".{}.log", engine);
   ChildProcess process(accuracyArguments(options, scene, engine, points), log);
-  const auto start = Clock::now();
-  std::optional<int> status;
-  while (!(status = process.poll())) {
-    if (Clock::now() - start > std::chrono::duration<double>(kLongestWait))
-      throw RunError(fmt::format("{} on {}: not done after {} s", engine, scene, kLongestWait));
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
+  const std::optional<int> status = process.wait(kLongestWait);
+  if (!status)
+    throw RunError(fmt::format("{} on {}: not done after {} s", engine, scene, kLongestWait));
   if (*status != 0)
     throw RunError(fmt::format("{} on {}: ended with status {}; it said:\n{}", engine, scene,
                                *status, wholeFile(log)));

@@ -65,17 +65,18 @@ std::vector<CaseReach> compare(std::span<const CaseResult> cases) {
 
 std::string pointsCsv(const CaseResult& result) {
   std::string csv = fmt::format(
-      "case,engine,integrator,contacts,dt,steps,error_m,energy_error,escaped,cpu_s,repeats,"
+      "case,engine,integrator,contacts,dt,steps,error_m,energy_error,escaped,cpu_s,repeats,{},"
       "state_hash,{}\n",
-      kBuildColumns);
+      kStepColumns, kBuildColumns);
   const std::string build = buildColumns();
   for (const Ladder& ladder : result.ladders)
     for (const WorkPoint& p : ladder.points)
-      csv += fmt::format("{},{},{},{},{:.17g},{},{:.6g},{},{},{:.4g},{},{},{}\n", result.scene,
+      csv += fmt::format("{},{},{},{},{:.17g},{},{:.6g},{},{},{:.4g},{},{},{},{}\n", result.scene,
                          ladder.method.engine, csvField(ladder.method.integrator),
                          csvField(ladder.method.contacts), p.dt, p.steps, p.error,
                          std::isnan(p.energyError) ? "" : fmt::format("{:.3g}", p.energyError),
-                         p.escaped, p.cpu, p.repeats, hashText(p.stateHash), build);
+                         p.escaped, p.cpu, p.repeats, stepColumns(p.shares, p.books),
+                         hashText(p.stateHash), build);
   return csv;
 }
 

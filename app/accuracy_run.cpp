@@ -25,10 +25,16 @@ WorkPoint measureErrors(const AccuracyTask& task) {
   World world = task.world();
   const Measures start = measure(world);
   const auto stepper = task.stepper();
-  for (std::int64_t step = 0; step < task.steps; ++step) stepper->step(world);
+  const bool hasBooks = stepper->openBooks();
+  WorkPoint point;
+  point.dt = task.dt();
+  point.steps = task.steps;
+  for (std::int64_t step = 0; step < task.steps; ++step) {
+    stepper->step(world);
+    point.shares.add(stepper->counts(), world.balls.size());
+  }
+  if (hasBooks) point.books = *stepper->books();
   const Measures end = measure(world);
-
-  WorkPoint point{.dt = task.dt(), .steps = task.steps};
   point.error = positionError(task.answer, world);
   point.energyError = conservesEnergy(world)
                           ? std::abs(end.energy() - start.energy()) /

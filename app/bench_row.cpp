@@ -8,6 +8,16 @@
 
 namespace wells {
 
+std::string stepColumns(const ContactShares& shares, const std::optional<Books>& books) {
+  const std::string first = shares.exactBalls + shares.substepBalls > 0
+                                ? fmt::format("{:.6g},{:.6g},{},{}", shares.exact(),
+                                              shares.substep(), shares.impacts, shares.handedOver)
+                                : ",,,";
+  if (!books) return first + ",,,,,,";
+  return fmt::format("{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}", first, books->contacts,
+                     books->friction, books->drag, books->wells, books->pushOut, books->flight);
+}
+
 std::string buildColumns() {
   return fmt::format("{},{},{},{}", build_info::kCommit, csvField(build_info::kCompiler),
                      csvField(build_info::kFlags), csvField(processor()));

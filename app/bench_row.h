@@ -1,11 +1,22 @@
-// What the rows of all benchmarks share: quoting, and the last columns, which say what was measured
-// with what and on what.
+// What the rows of all benchmarks share: quoting, what the contact methods did and where the energy
+// went, and the last columns, which say what was measured with what and on what.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "state/contact_shares.h"
+
 namespace wells {
+
+/// Shares of the contact methods, and energy by source (J).
+inline constexpr std::string_view kStepColumns =
+    "exact_share,substep_share,impacts,handed_over,contacts_J,friction_J,drag_J,wells_J,push_out_J,"
+    "flight_J";
+
+/// Their values; nothing between the commas where an engine doesn't count or keeps no books.
+std::string stepColumns(const ContactShares& shares, const std::optional<Books>& books);
 
 /// The last columns of every row.
 inline constexpr std::string_view kBuildColumns = "commit,compiler,flags,cpu";

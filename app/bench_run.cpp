@@ -77,29 +77,17 @@ std::optional<Books> bookedRun(Stepper& stepper, World world, std::int64_t steps
 std::string csvHeader() {
   return fmt::format(
       "scene,engine,integrator,contacts,balls,dt,steps,threads,ms_per_step,ms_per_step_last100,"
-      "max_overlap_m,energy_start_J,energy_end_J,escaped,exact_share,substep_share,impacts,"
-      "handed_over,contacts_J,friction_J,drag_J,wells_J,push_out_J,flight_J,peak_rss_MiB,"
-      "state_hash,{}",
-      kBuildColumns);
+      "max_overlap_m,energy_start_J,energy_end_J,escaped,{},peak_rss_MiB,state_hash,{}",
+      kStepColumns, kBuildColumns);
 }
 
 std::string csvRow(const BenchResult& r) {
-  const auto& s = r.shares;
-  const std::string shares =
-      s.exactBalls + s.substepBalls > 0
-          ? fmt::format("{:.6g},{:.6g},{},{}", s.exact(), s.substep(), s.impacts, s.handedOver)
-          : ",,,";
-  const std::string books = r.books
-                                ? fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}",
-                                              r.books->contacts, r.books->friction, r.books->drag,
-                                              r.books->wells, r.books->pushOut, r.books->flight)
-                                : ",,,,,";
   return fmt::format(
-      "{},{},{},{},{},{:.17g},{},{},{:.6g},{:.6g},{:.6g},{:.17g},{:.17g},{},{},{},{:.1f},{},{}",
+      "{},{},{},{},{},{:.17g},{},{},{:.6g},{:.6g},{:.6g},{:.17g},{:.17g},{},{},{:.1f},{},{}",
       r.scene, r.engine, csvField(r.integrator), csvField(r.contacts), r.balls, r.dt, r.steps,
       r.threads, r.msPerStep, r.msPerStepLast100, r.end.worstOverlap(), r.start.energy(),
-      r.end.energy(), r.end.escaped, shares, books, r.peakRss, hashText(r.stateHash),
-      buildColumns());
+      r.end.energy(), r.end.escaped, stepColumns(r.shares, r.books), r.peakRss,
+      hashText(r.stateHash), buildColumns());
 }
 
 }  // namespace wells

@@ -28,6 +28,9 @@ class ChildProcess {
   /// The exit status once it has ended (128 + signal if one ended it), else nothing.
   std::optional<int> poll();
 
+  /// The same after waiting for its end, `seconds` at most.
+  std::optional<int> wait(double seconds);
+
   /// Asks it to end cleanly.
   void interrupt() const;
 

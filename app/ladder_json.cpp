@@ -27,14 +27,16 @@ Json pointAsJson(const WorkPoint& p) {
 }
 
 WorkPoint pointFromJson(const Json& json) {
-  return {.dt = number(json.at(0)),
-          .steps = json.at(1).get<std::int64_t>(),
-          .error = number(json.at(2)),
-          .energyError = number(json.at(3)),
-          .escaped = json.at(4).get<std::int64_t>(),
-          .cpu = number(json.at(5)),
-          .repeats = json.at(6).get<std::int64_t>(),
-          .stateHash = json.at(7).get<std::uint64_t>()};
+  WorkPoint point;
+  point.dt = number(json.at(0));
+  point.steps = json.at(1).get<std::int64_t>();
+  point.error = number(json.at(2));
+  point.energyError = number(json.at(3));
+  point.escaped = json.at(4).get<std::int64_t>();
+  point.cpu = number(json.at(5));
+  point.repeats = json.at(6).get<std::int64_t>();
+  point.stateHash = json.at(7).get<std::uint64_t>();
+  return point;
 }
 
 }  // namespace

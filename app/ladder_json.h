@@ -10,6 +10,7 @@
 
 namespace wells {
 
+/// Without shares and books, which no engine has that runs in a process of its own.
 std::string laddersAsJson(std::span<const Ladder> ladders);
 
 /// Throws RunError for what laddersAsJson() did not write.

@@ -3,16 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <thread>
 
 #include "accuracy_run.h"
-#include "child_process.h"
 #include "errors.h"
+#include "gnuplot.h"
 #include "plot_styles.h"
 #include "text_file.h"
-#include "values.h"
 
 namespace wells {
 namespace {
@@ -20,11 +17,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kLowestShown = 1e-16;  // m
+constexpr double kExact = 1e-9;         // m, at any step
 constexpr double kHighestShown = 1e3;   // m
 constexpr int kCellWidth = 480;         // pixels, in the overview
 constexpr int kCellHeight = 380;
 constexpr int kMostColumns = 5;
-constexpr double kLongestWait = 120;  // s, for gnuplot
 
 enum class Legend { Shown, Hidden };
 
@@ -54,7 +51,12 @@ std::string legendName(const Method& method) {
 
 std::string label(const Ladder& ladder) {
   const auto order = fittedOrder(ladder.points);
-  return legendName(ladder.method) + (order ? fmt::format(": order {:.1f}", *order) : "");
+  const auto isExact = [](const WorkPoint& point) { return point.error <= kExact; };
+  const std::string verdict =
+      order ? fmt::format("order {:.1f}", *order)
+            : (std::all_of(ladder.points.begin(), ladder.points.end(), isExact) ? "exact"
+                                                                                : "no order");
+  return fmt::format("{}: {}", legendName(ladder.method), verdict);
 }
 
 /// Those that ran. The default first: it is the widest line and must not hide others.
@@ -163,25 +165,6 @@ std::string overviewScript(std::span<const CaseResult> cases) {
   return script + legendCell(cases.front()) + "unset multiplot\n";
 }
 
-void draw(const fs::path& folder, const std::string& file) {
-  std::string quoted;
-  for (const char c : folder.string()) quoted += c == '\'' ? std::string("''") : std::string(1, c);
-  const fs::path log = folder / ".gnuplot.log";
-  ChildProcess gnuplot("gnuplot", {"-e", fmt::format("cd '{}'", quoted), file + ".gp"}, log);
-  const auto start = std::chrono::steady_clock::now();
-  std::optional<int> status;
-  while (!(status = gnuplot.poll())) {
-    if (std::chrono::steady_clock::now() - start > std::chrono::duration<double>(kLongestWait))
-      throw RunError(fmt::format("gnuplot {}.gp: not done after {} s", file, kLongestWait));
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  const std::vector<std::string> said = readLines(log);
-  fs::remove(log);
-  if (*status != 0)
-    throw RunError(fmt::format("gnuplot {}.gp: ended with status {}; it said:\n{}", file, *status,
-                               joined(said, "\n")));
-}
-
 }  // namespace
 
 void writePlotScripts(const fs::path& folder, std::span<const CaseResult> cases) {
@@ -191,8 +174,8 @@ void writePlotScripts(const fs::path& folder, std::span<const CaseResult> cases)
 }
 
 void drawPlots(const fs::path& folder, std::span<const CaseResult> cases) try {
-  for (const CaseResult& result : cases) draw(folder, result.scene);
-  draw(folder, "overview");
+  for (const CaseResult& result : cases) runGnuplot(folder, result.scene + ".gp");
+  runGnuplot(folder, "overview.gp");
 } catch (const RunError& error) {
   throw RunError(
       fmt::format("no plots: {}\nThe tables are complete. \"app/install.sh plots\" installs "

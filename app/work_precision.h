@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "state/contact_shares.h"
+
 namespace wells {
 
 /// An engine with the settings that it has a choice of.
@@ -33,6 +35,8 @@ struct WorkPoint {
   double cpu = 0;            // s, of the steps alone
   std::int64_t repeats = 0;  // of which `cpu` is the median
   std::uint64_t stateHash = 0;
+  ContactShares shares;
+  std::optional<Books> books;  // nothing where the engine keeps none
 };
 
 /// One method with ever smaller steps.

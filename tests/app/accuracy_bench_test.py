@@ -13,7 +13,8 @@ import unittest
 from peers import run
 
 POINTS = ("case,engine,integrator,contacts,dt,steps,error_m,energy_error,escaped,cpu_s,repeats,"
-          "state_hash,commit,compiler,flags,cpu")
+          "exact_share,substep_share,impacts,handed_over,contacts_J,friction_J,drag_J,wells_J,"
+          "push_out_J,flight_J,state_hash,commit,compiler,flags,cpu")
 OVERVIEW = ("case,error_m,ours_cpu_s,best_of_ours_cpu_s,best_of_ours,published_cpu_s,published,"
             "textbook_cpu_s,textbook,bullet_cpu_s,ratio_published,ratio_textbook,ratio_bullet")
 REFERENCES = ("reference-euler", "reference-improved-euler", "reference-rk", "reference-heun",
@@ -90,6 +91,8 @@ class AccuracyBench(unittest.TestCase):
         for row in self.method("bounce", "ours", "pefrl", "auto"):
             self.assertLess(float(row["error_m"]), 1e-9)
             self.assertLess(float(row["energy_error"]), 1e-12)
+            self.assertEqual(row["impacts"], "5")
+            self.assertLess(abs(float(row["contacts_J"])), 1e-9)
         self.assertGreater(min(float(row["error_m"]) for row in self.method("bounce", "bullet")),
                            1e-3)
 
