@@ -5,6 +5,7 @@
 
 #include "math/random.h"
 #include "scenes/catalogue.h"
+#include "scenes/unit_balls.h"
 #include "support/oracle_world.h"
 #include "support/run_world.h"
 
@@ -80,6 +81,36 @@ TEST(PairImpact, OfAnyTwoBalls) {
     }
   }
   EXPECT_GT(hits, 150);
+}
+
+// A ball falls onto one that rests on the ground, beside its top. What rests is driven into the
+// ground at the same instant and comes back from it: first the pair, then the ground, and on from
+// there.
+TEST(PairImpact, FallsOntoABallThatRests) {
+  for (const double friction : {0.0, 0.3})
+    for (const double aside : {0.1, 0.3, -0.6}) {
+      World world;
+      world.settings.elasticity = 1;
+      world.settings.friction = friction;
+      addUnitBall(world, {aside, 4, 0});
+      addUnitBall(world, {0, 0.5, 0});
+      std::vector<oracle::Body> bodies = oracle::bodiesOf(world);
+      const oracle::Rules rules = oracle::rulesOf(world);
+      oracle::Body& a = bodies[0];
+      // They meet when A is sqrt(1 - aside^2) above B.
+      const oracle::Real height = std::sqrt(1 - a.x.x * a.x.x);
+      const oracle::Real time = std::sqrt(2 * (3.5L - height) / rules.gravity);
+      a.x.y = 0.5L + height;
+      a.v.y = -rules.gravity * time;
+      oracle::detail::hit(rules, bodies[1].x - a.x, a, &bodies[1]);
+      oracle::detail::hit(rules, {0, -1, 0}, bodies[1], nullptr);
+      oracle::fly(rules, bodies, 1.0L - time);
+      run(world, 60);
+      for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_LE(length(world.balls.position[i] - oracle::vectorOf(bodies[i].x)), 1e-11) << aside;
+        EXPECT_LE(length(world.balls.spin[i] - oracle::vectorOf(bodies[i].w)), 1e-10) << aside;
+      }
+    }
 }
 
 }  // namespace
