@@ -13,11 +13,12 @@ namespace {
 // below, sums of rounding errors come near.
 constexpr double kLargestFitted = 0.3;
 constexpr double kSmallestFitted = 1e-11;
+constexpr double kLargestRounding = 1e-9;
 constexpr std::size_t kMostFitted = 6;
 constexpr std::size_t kFewestFitted = 3;
 
-// Coarser points whose errors (logarithm) hardly rise say nothing either: an engine that divides
-// long steps takes the same ones for several dt.
+// Where the error (logarithm) hardly rises with dt, coarser points say nothing either: an engine
+// that divides long steps takes the same ones for several dt.
 constexpr double kLeastRise = 0.2;
 
 constexpr double kRounding = 1e-10;  // m
@@ -44,6 +45,15 @@ double between(const WorkPoint& above, const WorkPoint& below, double error) {
   if (!std::isfinite(above.error) || below.error <= 0) return below.cpu;
   const double part = std::log(above.error / error) / std::log(above.error / below.error);
   return above.cpu * std::pow(below.cpu / above.cpu, part);
+}
+
+/// Errors (m) below this may be sums of rounding errors: once the error is small it falls no
+/// longer, and what it is from there on is rounding.
+double roundingFloor(std::span<const WorkPoint> points) {
+  const auto smaller = [](const WorkPoint& a, const WorkPoint& b) { return a.error < b.error; };
+  const auto least = std::min_element(points.begin(), points.end(), smaller);
+  if (least == points.end() || least->error > kLargestRounding) return kSmallestFitted;
+  return std::max(kSmallestFitted, 10 * std::max_element(least, points.end(), smaller)->error);
 }
 
 std::string threeDigits(double ratio) {
@@ -76,17 +86,16 @@ double median(std::vector<double> values) {
 }
 
 std::optional<double> fittedOrder(std::span<const WorkPoint> points) {
+  const double floor = roundingFloor(points);
   std::vector<double> steps;
   std::vector<double> errors;
   for (auto point = points.rbegin(); point != points.rend() && steps.size() < kMostFitted;
        ++point) {
-    if (!(point->error >= kSmallestFitted && point->error <= kLargestFitted)) continue;
+    if (!(point->error >= floor && point->error <= kLargestFitted)) continue;
+    const double error = std::log(point->error);
+    if (steps.size() >= kFewestFitted && error < errors.back() + kLeastRise) break;
     steps.push_back(std::log(point->dt));
-    errors.push_back(std::log(point->error));
-  }
-  while (errors.size() > kFewestFitted && errors.back() < errors[errors.size() - 2] + kLeastRise) {
-    steps.pop_back();
-    errors.pop_back();
+    errors.push_back(error);
   }
   if (steps.size() < kFewestFitted) return {};
   return slope(steps, errors);

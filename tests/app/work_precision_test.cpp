@@ -71,10 +71,21 @@ TEST(FittedOrder, LeavesOutRoundingAndCoarseSteps) {
   EXPECT_NEAR(*fitted, 4, 1e-9);
 }
 
+TEST(FittedOrder, LeavesOutRoundingThatGrows) {
+  // From 1e-10 m on, each halving of the step doubles the number of roundings.
+  auto points = ofOrder(4, 0.5, 8);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i].error < 1e-9) points[i].error = 1e-13 * std::ldexp(1.0, static_cast<int>(2 * i));
+  const auto fitted = fittedOrder(points);
+  ASSERT_TRUE(fitted);
+  EXPECT_NEAR(*fitted, 4, 1e-9);
+}
+
 TEST(FittedOrder, LeavesOutLongStepsThatAnEngineDivides) {
-  // The two longest are the same run as the third.
-  auto points = ofOrder(2, 0.5, 6);
-  points[0].error = points[1].error = points[2].error;
+  // The third is the same run as the fourth, the first as the second.
+  auto points = ofOrder(2, 0.5, 8);
+  points[2].error = points[3].error;
+  points[0].error = points[1].error = 1.5 * points[2].error;
   const auto fitted = fittedOrder(points);
   ASSERT_TRUE(fitted);
   EXPECT_NEAR(*fitted, 2, 1e-12);
