@@ -55,6 +55,7 @@ const Case kCases[] = {
     {"slides_smoothly", 0, {0, 2, 0}, 60, {4, 0.5, 1}, {0, 0, 1}, {2, 0, 0}, false, 5, 4},
     {"slips_then_lifts_off", 0.3, {0, 4, 0}, 400, {6, 0.5, 0}, {2, 0, 0}, {0, 0, 4}, true, 1.5, 4},
     {"smoothly_lifts_off", 0, {0, 4, 0}, 400, {6, 0.5, 1}, {-2, 0, 0}, {0, 0, 4}, true, 1.5, 4},
+    {"slip_turns_and_lasts", 0.1, {0, 2, 0}, 60, {4, 0.5, 1}, {-2, 0, 2}, {5, 3, 20}, false, 2, 4},
     // A slip across the pull turns towards it ever faster as it ends, and within a step at any
     // step:
     // first order. As it begins, likewise.

@@ -29,9 +29,9 @@ class GroundedBall {
     for (Real now = 0; now < duration;) {
       const P f = force(ball.x), u = slip(ball);
       Real h = std::min(kStep, duration - now);
-      // The direction of a slip that ends turns ever faster: its last steps are ever shorter.
-      if (!rolls_ && size(u) >= kNoSlip && inner(f, u) < -3.5L * mu_ * f.y * size(u))
-        h = std::min(h, size(u) / (-35 * mu_ * f.y));
+      // The direction of a slip that begins or ends turns ever faster: steps are ever shorter.
+      if (!rolls_ && mu_ > 0 && size(u) >= kNoSlip)
+        h = std::min(h, (grows(f, u) ? std::max(size(u), kFollows) : size(u)) / (-35 * mu_ * f.y));
       const Body next = step(ball, h);
       if (!isPressed(next)) {
         now += goTo(ball, h, [&](const Body& b) { return isPressed(b); });
@@ -52,6 +52,7 @@ class GroundedBall {
  private:
   static constexpr Real kStep = 2e-4L;     // s
   static constexpr Real kNoSlip = 1e-13L;  // m/s
+  static constexpr Real kFollows = 1e-6L;  // m/s, below which a slip that begins follows the pull
 
   /// Per mass.
   P force(const P& x) const {
@@ -78,7 +79,8 @@ class GroundedBall {
       friction = -2.0L / 7 * along;
     } else if (mu_ > 0) {
       const P u = slip(b);
-      const P direction = size(u) >= kNoSlip ? 1 / size(u) * u : 1 / size(along) * along;
+      const bool follows = size(u) < kNoSlip || (size(u) < kFollows && grows(f, u));
+      const P direction = follows ? 1 / size(along) * along : 1 / size(u) * u;
       friction = mu_ * f.y * direction;  // f.y < 0
     }
     return {b.v, along + friction, 2.5L / (b.r * b.r) * outer({0, -b.r, 0}, friction)};
@@ -98,6 +100,9 @@ class GroundedBall {
     return moved(
         {sum(k1.x, k2.x, k3.x, k4.x), sum(k1.v, k2.v, k3.v, k4.v), sum(k1.w, k2.w, k3.w, k4.w)}, h);
   }
+
+  /// Force f per mass against friction, which takes 7/2 of its share from the slip u.
+  bool grows(const P& f, const P& u) const { return inner(f, u) >= -3.5L * mu_ * f.y * size(u); }
 
   bool isPressed(const Body& b) const { return force(b.x).y < 0; }
 
