@@ -29,6 +29,8 @@ struct Contact {
   double inverseMassB = 0;             // 1/kg; 0: ground or wall
   bool impact = false;                 // closes faster than forces explain: an instant, not a rest
   double bounceSpeed = 0;              // m/s, separating speed that restitution asks for
+  double closingBefore = 0;            // m/s, at the start of the substep
+  double closingFlown = 0;             // m/s, at its end, before any impulse
   double normalImpulse = 0;            // N s, >= 0, of the last substep
   Vec3 tangentImpulse = Vec3::Zero();  // N s on a, of the last substep
 };

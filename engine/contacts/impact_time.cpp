@@ -7,8 +7,8 @@
 namespace wells {
 namespace {
 
-// A graze (closing speed near 0 at the contact) converges by halves; what is not decided after so
-// many looks is closer than rounding and left to the next step.
+// Enough within one horizon even for a graze, which converges by halves; what is not decided then
+// is for the solver of lasting contacts.
 constexpr int kMostLooks = 200;
 
 /// A gap at one time: its value (m), its closing speed (m/s) and by how much that can grow (m/s^2).
@@ -27,12 +27,15 @@ double safeTime(const GapNow& now) {
   return (root - now.closing) / now.growth;
 }
 
-/// Follows `gapAt` from `from`; `closed` is the gap (in its own unit) that counts as none.
+/// Follows gapAt(t, end), whose bounds hold from t to end, from `from` to `until`; `closed` is the
+/// gap (in its own unit) that counts as none. Looks no further ahead than `stretch` at a time,
+/// within which the bounds are close to the truth.
 template <class GapAt>
-Encounter follow(GapAt gapAt, double closed, double from, double until) {
+Encounter follow(GapAt gapAt, double closed, double stretch, double from, double until) {
   double t = from;
+  double horizon = std::min(until, t + stretch);
   for (int look = 0; look < kMostLooks; ++look) {
-    GapNow now = gapAt(t, until);
+    GapNow now = gapAt(t, horizon);
     if (now.gap <= closed) {
       // The last, tiny step of Newton's method takes the contact to where rounding allows.
       if (now.closing > 0)
@@ -41,11 +44,17 @@ Encounter follow(GapAt gapAt, double closed, double from, double until) {
       if (now.closing == 0 && now.growth > 0) return {Meeting::Sustained, t};
     }
     const double step = safeTime(now);
-    if (!(t + step <= until)) return {};
+    if (!(t + step <= horizon)) {
+      if (horizon == until) return {};
+      t = horizon;
+      horizon = std::min(until, t + stretch);
+      look = 0;
+      continue;
+    }
     if (t + step == t) return {now.closing > 0 ? Meeting::Impact : Meeting::Sustained, t};
     t += step;
   }
-  return {};
+  return {Meeting::Sustained, t};
 }
 
 double horizontal(const Vec3& v) {
@@ -73,7 +82,7 @@ Encounter encounterWithGround(const PathModel& model, const Path& ball, double f
     from += kLeaving * (until - from);
     if (gapAt(from, until).gap <= closed) return {Meeting::Sustained, from};
   }
-  return follow(gapAt, closed, from, until);
+  return follow(gapAt, closed, model.field->stretch, from, until);
 }
 
 Encounter encounterWithWall(const PathModel& model, const Path& ball, double from, double until) {
@@ -92,7 +101,7 @@ Encounter encounterWithWall(const PathModel& model, const Path& ball, double fro
             2 * (fastest * fastest + reach * pull)};
   };
   const double size = horizontal(arena.center) + arena.radius;
-  return follow(gapAt, 2 * reach * kClosedGap * size, from, until);
+  return follow(gapAt, 2 * reach * kClosedGap * size, model.field->stretch, from, until);
 }
 
 }  // namespace
@@ -117,7 +126,7 @@ Encounter encounterOfBalls(const PathModel& model, const Path& a, const Path& b,
                 accelerationBound(model, b.motion, nowB, t, end - t)};
   };
   const double size = length(a.state.position) + length(b.state.position) + a.radius + b.radius;
-  return follow(gapAt, kClosedGap * size, from, until);
+  return follow(gapAt, kClosedGap * size, model.field->stretch, from, until);
 }
 
 Encounter encounterWithArena(const PathModel& model, const Path& ball, std::uint32_t partner,

@@ -1,6 +1,7 @@
 #include "contacts/sequential_impulses.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace wells {
 namespace {
@@ -12,6 +13,12 @@ constexpr double kPushOut = 0.6;
 template <>
 constexpr double kPushOut<ArenaPartner> = 1.0;
 
+// How deep a ball may be that leaves fast, in radii.
+template <class Partner>
+constexpr double kDeepest = std::numeric_limits<double>::infinity();
+template <>
+constexpr double kDeepest<ArenaPartner> = 0.5;
+
 // Geometry, masses and the bounce, from the state before any impulse of this substep.
 template <class Partner>
 void prepare(const Settings& settings, const Arena& arena, const Vec3* velocityBefore,
@@ -20,7 +27,9 @@ void prepare(const Settings& settings, const Arena& arena, const Vec3* velocityB
   const bool wasImpact = c.impact;
   if (c.gap <= 0) {
     const double closing = closingSpeed<Partner>(balls.velocity.data(), c);
-    const double builtUp = std::max(0.0, closing - closingSpeed<Partner>(velocityBefore, c));
+    c.closingBefore = closingSpeed<Partner>(velocityBefore, c);
+    c.closingFlown = closing;
+    const double builtUp = std::max(0.0, closing - c.closingBefore);
     c.impact = closing > kRestFactor * builtUp;
     c.bounceSpeed = c.impact ? settings.elasticity * closing : 0;
     c.inverseMassA = 1 / balls.mass[c.a];
@@ -75,11 +84,21 @@ void solveTangent(double friction, Balls& balls, Contact& c, const Ledger& ledge
 
 // A contact that rests carried its impulse evenly over the substep: a constant force moves a ball
 // by half of what the full change of velocity would. With it, a resting ball stays where it is and
-// a sliding one brakes exactly. An impact is an instant, and gets none.
+// a sliding one brakes exactly. An impact is an instant, and gets none. Where the balls were still
+// parting at the start of the substep, the force did not act all the time; it is given the share
+// with which the shift raises the potential by no more than the impulse took from the motion:
+//   share (closing after flight - closing before) <= closing after flight + closing resolved.
+double shareOfSubstep(const Contact& c, double resolved) {
+  if (c.impact || c.normalImpulse == 0) return 0;
+  const double builtUp = c.closingFlown - c.closingBefore;
+  return builtUp > 0 ? std::clamp((c.closingFlown + resolved) / builtUp, 0.0, 1.0) : 1;
+}
+
 template <class Partner>
 void shiftByContactForce(double h, Balls& balls, const Contact& c) {
-  if (c.impact || c.normalImpulse == 0) return;
-  const Vec3 shift = (c.tangentImpulse - c.normalImpulse * c.normal) * (h / 2);
+  const double share = shareOfSubstep(c, closingSpeed<Partner>(balls.velocity.data(), c));
+  if (share == 0) return;
+  const Vec3 shift = (c.tangentImpulse - c.normalImpulse * c.normal) * (share * h / 2);
   balls.position[c.a] += c.inverseMassA * shift;
   Partner::shift(balls, c, -shift);
 }
@@ -90,7 +109,8 @@ void pushOut(const Arena& arena, double h, Balls& balls, Contact& c) {
   if (c.gap > 0) return;
   Partner::touch(arena, balls, c);
   const double leaving = std::max(0.0, -closingSpeed<Partner>(balls.velocity.data(), c)) * h;
-  const double depth = -c.gap - leaving;
+  // However fast it leaves, a centre does not stay outside.
+  const double depth = std::max(-c.gap - leaving, -c.gap - kDeepest<Partner> * balls.radius[c.a]);
   if (depth <= 0) return;
   const Vec3 shift = (kPushOut<Partner> * depth * normalMass(c)) * c.normal;
   balls.position[c.a] -= c.inverseMassA * shift;
@@ -104,12 +124,28 @@ void forEach(const ContactLists& contacts, Action action) {
   for (Contact& c : contacts.arena) action.template operator()<ArenaPartner>(c);
 }
 
+/// What normal impulses and their shifts did (J): J (c + c') / 2 of all contacts is exact, c and c'
+/// the closing speeds before and after all impulses, whatever the order in which they were found.
+double workOfNormals(const ContactLists& contacts, const Balls& balls) {
+  double sum = 0;
+  for (const auto& list : {contacts.balls, contacts.arena})
+    for (const Contact& c : list) {
+      if (c.normalImpulse == 0) continue;
+      const double resolved = closingSpeed(balls, c);
+      const double shifted = shareOfSubstep(c, resolved) * (c.closingFlown - c.closingBefore);
+      sum -= c.normalImpulse * (c.closingFlown + resolved - shifted) / 2;
+    }
+  return sum;
+}
+
 }  // namespace
 
 void resolveContacts(const Settings& settings, const Arena& arena, double h,
                      const ContactLists& contacts, const Vec3* velocityBefore, Balls& balls,
                      const SubstepBooks* booking) {
-  const Ledger ledger = booking ? booking->ledger : Ledger{};
+  // The order of the impulses would decide what is booked as friction; only their sum is used.
+  Books impulses;
+  const Ledger ledger = booking ? Ledger{&impulses, arena.center} : Ledger{};
   const auto placement = [&] {
     return placementOf(ledger, *booking->field, booking->end, booking->touching, balls);
   };
@@ -123,6 +159,7 @@ void resolveContacts(const Settings& settings, const Arena& arena, double h,
       solveNormal<Partner>(balls, c, ledger);
       if (settings.friction > 0) solveTangent<Partner>(settings.friction, balls, c, ledger);
     });
+  const double normals = booking ? workOfNormals(contacts, balls) : 0;
   const Placement solved = booking ? placement() : Placement{};
   if (booking)
     for (const Contact& c : contacts.arena)
@@ -132,10 +169,12 @@ void resolveContacts(const Settings& settings, const Arena& arena, double h,
   forEach(contacts, [&]<class Partner>(Contact& c) { pushOut<Partner>(arena, h, balls, c); });
   if (!booking) return;
   const Placement pushed = placement();
-  Books& books = *ledger.books;
-  books.contacts += shifted.potential - solved.potential;
-  books.pushOut += pushed.potential - shifted.potential;
-  books.shifts.angular += pushed.angular - solved.angular;
+  const double both = impulses.contacts + impulses.friction + shifted.potential - solved.potential;
+  impulses.contacts = normals;
+  impulses.friction = both - normals;
+  impulses.pushOut = pushed.potential - shifted.potential;
+  impulses.shifts.angular += pushed.angular - solved.angular;
+  *booking->books += impulses;
 }
 
 }  // namespace wells

@@ -20,7 +20,7 @@ struct ContactLists {
 
 /// What booking a substep takes.
 struct SubstepBooks {
-  Ledger ledger;
+  Books* books;
   const Field* field;
   double end;                               // s since the start of the step
   std::span<const std::uint32_t> touching;  // all balls of the contacts, each once

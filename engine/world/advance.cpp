@@ -54,7 +54,7 @@ void advance(const Settings& settings, const PathModel& model, StepPlan& plan, B
       position[i] += velocity[i] * h;
     }
     fly(substep * h, h, plan.touching);
-    const SubstepBooks booking{ledger, model.field, (substep + 1) * h, plan.touching};
+    const SubstepBooks booking{books, model.field, (substep + 1) * h, plan.touching};
     resolveContacts(settings, *model.arena, h, {plan.ballContacts, plan.arenaContacts},
                     plan.velocityBefore.data(), balls, books ? &booking : nullptr);
   }

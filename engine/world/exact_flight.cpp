@@ -251,16 +251,14 @@ double ExactFlight::pressingBound(const StepInput& in, double time, const Contac
   const auto bound = [&](std::uint32_t i) {
     return accelerationBound(in.model, path_[i].motion, balls.state(i), time, substep);
   };
-  if (isBall(c.b)) return bound(c.a) + bound(c.b);
-  // A ball that runs along the wall is pressed to it by its own inertia.
-  const double inertia =
-      c.b == kWall ? squaredLength(balls.velocity[c.a]) / in.model.arena->radius : 0;
-  return bound(c.a) + length(in.settings.gravity) + inertia;
+  return bound(c.a) + (isBall(c.b) ? bound(c.b) : length(in.settings.gravity));
 }
 
 bool ExactFlight::mayBePressed(const StepInput& in, double time, const Balls& balls) const {
-  return std::any_of(cluster_.begin(), cluster_.end(),
-                     [&](const Contact& c) { return pressingBound(in, time, c, balls) > 0; });
+  // A ball that runs along the wall is pressed to it by its own inertia.
+  return std::any_of(cluster_.begin(), cluster_.end(), [&](const Contact& c) {
+    return c.b == kWall || pressingBound(in, time, c, balls) > 0;
+  });
 }
 
 bool ExactFlight::isTooSlow(const StepInput& in, double time, const Balls& balls) const {
