@@ -7,9 +7,9 @@
 namespace wells {
 namespace {
 
-// Enough within one horizon even for a graze, which converges by halves; what is not decided then
-// is for the solver of lasting contacts.
-constexpr int kMostLooks = 200;
+// Within one horizon. A graze converges by halves; a ball that the pull of a well lifts off slowly
+// takes the most, about a thousand. What is not decided then is for the solver of lasting contacts.
+constexpr int kMostLooks = 5000;
 
 /// A gap at one time: its value (m), its closing speed (m/s) and by how much that can grow (m/s^2).
 struct GapNow {
@@ -37,9 +37,9 @@ Encounter follow(GapAt gapAt, double closed, double stretch, double from, double
   for (int look = 0; look < kMostLooks; ++look) {
     GapNow now = gapAt(t, horizon);
     if (now.gap <= closed) {
-      // The last, tiny step of Newton's method takes the contact to where rounding allows.
+      // The last, tiny step takes the contact to where rounding allows.
       if (now.closing > 0)
-        return {Meeting::Impact, std::min(until, t + std::max(0.0, now.gap / now.closing))};
+        return {Meeting::Impact, std::min(until, t + (now.gap > 0 ? safeTime(now) : 0))};
       now.gap = 0;
       if (now.closing == 0 && now.growth > 0) return {Meeting::Sustained, t};
     }
@@ -80,7 +80,10 @@ Encounter encounterWithGround(const PathModel& model, const Path& ball, double f
   const GapNow first = gapAt(from, until);
   if (first.gap <= closed && first.closing == 0 && first.growth > 0) {
     from += kLeaving * (until - from);
-    if (gapAt(from, until).gap <= closed) return {Meeting::Sustained, from};
+    if (gapAt(from, until).gap <= closed) {
+      if (gapAt(until, until).gap >= -closed) return {};  // hardly away when the step ends
+      return {Meeting::Sustained, from};
+    }
   }
   return follow(gapAt, closed, model.field->stretch, from, until);
 }

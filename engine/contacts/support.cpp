@@ -13,6 +13,12 @@ constexpr double kSlipRatio = 1 + 1 / kInertiaFactor;  // du/dt over dv/dt of fr
 // A slip this small, of the speeds that it is made of, is over. (A slip that turns on its way to
 // zero is followed there in ever shorter stretches, which this ends.)
 constexpr double kSlipNoise = 1e-10;
+constexpr double kTurningShare = 1.0 / 8;      // of the time in which friction ends a slip
+constexpr double kFollowingShare = 1.0 / 256;  // of the slip that friction ends in a stretch
+
+// A gap this small, of the size of the coordinates, is none for a ball that does not move up or
+// down: flight in many stretches leaves it so.
+constexpr double kHeldGap = 1e-13;
 
 /// A vector in the ground's plane.
 struct Flat {
@@ -106,18 +112,47 @@ class Rates {
 
   Flat firstDirection() const { return first_; }
 
+  /// The longest step (s) in which friction keeps its direction well enough.
+  double longestStep(const Held& now, double t) const {
+    const double whole = model_.field->stretch;
+    const double slip = length(now.slip);
+    if (motion_ != Motion::Sliding || !turns_ || slip <= noise_) return whole;
+    const Load load = loadAt(model_, height_, now.place, now.velocity, k_, t);
+    const double friction = frictionOnSlip(load);
+    // A slip that ends turns ever faster towards the pull: ever shorter steps, as it gets smaller.
+    if (dot(load.pull, now.slip) < friction * slip)
+      return std::min(whole, kTurningShare * slip / friction);
+    // One that begins is held to the pull's direction, stiffly: within what RK4 keeps stable.
+    return slip <= smallSlip(friction) ? whole : std::min(whole, slip / friction);
+  }
+
   Rate operator()(const Held& now, double t) const {
     const Load load = loadAt(model_, height_, now.place, now.velocity, k_, t);
     if (motion_ == Motion::Rolling)
       return {now.velocity, (1 / (1 + kInertiaFactor)) * load.pull, {}};
-    const Flat friction = (-model_.friction * load.pressing) * direction(now.slip);
+    const Flat friction = (-model_.friction * load.pressing) * direction(now.slip, load);
     return {now.velocity, load.pull + friction, load.pull + kSlipRatio * friction};
   }
 
  private:
-  Flat direction(Flat slip) const {
-    if (!turns_ || dot(slip, first_) <= noise_) return first_;
-    return (1 / length(slip)) * slip;
+  /// m/s^2, by which friction alone would end a slip.
+  double frictionOnSlip(const Load& load) const {
+    return kSlipRatio * model_.friction * load.pressing;
+  }
+
+  /// m/s; a slip that begins and is smaller follows the pull.
+  double smallSlip(double friction) const {
+    return kFollowingShare * friction * model_.field->stretch;
+  }
+
+  Flat direction(Flat slip, const Load& load) const {
+    if (!turns_) return first_;
+    const double size = length(slip);
+    const double friction = frictionOnSlip(load);
+    if (size <= smallSlip(friction) && dot(load.pull, first_) > friction)
+      return (1 / length(load.pull)) * load.pull;
+    if (dot(slip, first_) <= noise_) return first_;
+    return (1 / size) * slip;
   }
 
   const PathModel& model_;
@@ -187,7 +222,7 @@ bool isHeldByGround(const PathModel& model, const Path& path) {
   const BallState& ball = path.state;
   const Arena& arena = *model.arena;
   const double size = std::abs(arena.center.y()) + std::abs(ball.position.y()) + path.radius;
-  if (std::abs(groundGap(arena, ball.position, path.radius)) > kClosedGap * size) return false;
+  if (std::abs(groundGap(arena, ball.position, path.radius)) > kHeldGap * size) return false;
   if (withoutNoise(ball.velocity.y(), wells::length(ball.velocity)) != 0) return false;
   return loadOn(model, ball, path.start).pressing > 0;
 }
@@ -214,9 +249,12 @@ BallState heldStateAt(const PathModel& model, const Path& path, double t) {
   Held now{flat(path.state.position), flat(path.state.velocity), slipOf(path.state, path.radius)};
   double left = t - path.start;
   double at = path.start;
-  const double stretch = model.field->stretch;
-  for (; left > stretch; left -= stretch, at += stretch) now = step(rates, now, at, stretch);
-  now = step(rates, now, at, left);
+  while (left > 0) {
+    const double h = std::min(left, rates.longestStep(now, at));
+    now = step(rates, now, at, h);
+    at += h;
+    left -= h;
+  }
   BallState ball = path.state;
   ball.position.x() = now.place.x;
   ball.position.z() = now.place.z;

@@ -141,10 +141,14 @@ double ExactFlight::pressingOfLoneBall(const StepInput& in, double time, const B
   return -acceleration(*in.model.field, balls.position[cluster_[0].a], time).y();
 }
 
-// The flights that are left last 2 e v / (N (1 - e)) in all, N the pressing acceleration.
+// The flights that are left last 2 e v / (N (1 - e)) in all, N the pressing acceleration; the next
+// one rises by (e v)^2 / (2 N).
 bool ExactFlight::settles(double elasticity, double pressing, const Balls& balls) const {
-  const double speed = closingSpeed(balls, cluster_[0]);
-  return 2 * elasticity * speed <= kSettlingTime * dt_ * pressing * (1 - elasticity);
+  const Contact& c = cluster_[0];
+  const double after = elasticity * closingSpeed(balls, c);
+  const double size = std::abs(balls.position[c.a].y()) + balls.radius[c.a];
+  return 2 * after <= kSettlingTime * dt_ * pressing * (1 - elasticity) ||
+         (elasticity < 1 && after * after <= 2 * pressing * kSettlingHeight * size);
 }
 
 void ExactFlight::book(const StepInput& in, std::uint32_t i, double t, const Balls& balls) {

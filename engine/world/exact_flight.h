@@ -56,8 +56,10 @@ struct ExactCounts {
 inline constexpr std::int64_t kMostInelasticImpacts = 1000;
 
 /// The bounces of one ball on the ground follow each other in a geometric series of ratio e. When
-/// what is left of it is shorter than this (of the step), the ball has come to rest on the ground.
+/// what is left of it is shorter than this (of the step), or the next one lower than this (of the
+/// size of the coordinates; rounding is not far), the ball has come to rest on the ground.
 inline constexpr double kSettlingTime = 1e-6;
+inline constexpr double kSettlingHeight = 1e-14;
 
 class ExactFlight {
  public:
