@@ -118,8 +118,10 @@ std::string conditionsText(std::span<const CaseResult> cases, std::string_view c
       "Error: the largest distance of a ball from the exact answer at the end, from a run of its "
       "own.\nCPU time: of the process, in the step calls alone, of an engine that has run before; "
       "median. Bullet,\nwhich cannot start over, is made anew; its first step, which builds its "
-      "world, is not timed but\ncounted like the others.\n\nNot run:\n",
-      command, build_info::kCommit, build_info::kCompiler, build_info::kFlags, processor());
+      "world, is not timed but\ncounted like the others.\nBooks (.._J): of runs of up to {} "
+      "steps.\n\nNot run:\n",
+      command, build_info::kCommit, build_info::kCompiler, build_info::kFlags, processor(),
+      kMostBookedSteps);
   for (const CaseResult& result : cases)
     for (const Ladder& ladder : result.ladders)
       for (const std::string& note : ladder.notes)

@@ -37,14 +37,14 @@ std::optional<AccuracyOptions> parseAccuracyOptions(std::span<const std::string>
       "Error against CPU time: runs the cases with exact answers for ever smaller steps with every "
       "engine and method.\n"
       "Writes a table (CSV), a gnuplot script and a plot (PNG) for each case and an overview of "
-      "all. The whole takes about ten minutes.",
+      "all. The whole takes less than ten minutes.",
       "./run.sh bench accuracy"};
   AccuracyOptions options;
   std::int64_t repeats = 0;
   double longestRun = 0;
   addChoice(app, "--cases", options.cases, allCases(), "default: all; --list explains them");
   addChoice(app, "--engines", options.engines, {engineNames().begin(), engineNames().end()},
-            "default: all, " + joined(engineNames(), ", "));
+            "default: all: " + joined(engineNames(), ", "));
   addPath(app, "--out", options.out, "FOLDER", "for all files (default out/accuracy)");
   addInteger(app, "--repeats", repeats, 1, 100, "of each timing; the median counts (default 3)");
   app.add_option_function<std::string>(
@@ -54,7 +54,7 @@ std::optional<AccuracyOptions> parseAccuracyOptions(std::span<const std::string>
                        fmt::format("a number {}, in s", kLongestRuns.text()),
                        [&] { longestRun = parseNumber(value, kLongestRuns); });
          },
-         "CPU time; smaller steps that would take longer are not run, and listed (default 0.25)")
+         "CPU time; smaller steps that would take longer are not run, and listed (default 0.15)")
       ->type_name("s");
   app.add_flag("--quick", options.isQuick, "a rough look: fewer and shorter runs, each timed once");
   app.add_flag("--list", options.list, "lists the cases and ends");

@@ -2,6 +2,7 @@
 // come from separate runs. Engines of this executable only.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string_view>
 #include <vector>
@@ -15,10 +16,13 @@ namespace wells {
 struct LadderLimits {
   double coarsestStep = 2.0 / 15;  // s; with it 1/60 s is the fourth
   int rungs = 20;
-  double longestRun = 0.25;      // s of CPU time; a step size that would take longer is not run
+  double longestRun = 0.15;      // s of CPU time; a step size that would take longer is not run
   double shortestTiming = 5e-3;  // s of CPU time; shorter runs are repeated until they fill it
   std::int64_t repeats = 3;      // of each timing
 };
+
+/// Runs of more steps keep no books, which take several times the time of the steps.
+inline constexpr std::int64_t kMostBookedSteps = 50'000;
 
 /// The method that the program uses when nothing else is said.
 Method defaultMethod();

@@ -4,6 +4,7 @@
 #include <time.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "errors.h"
@@ -12,10 +13,10 @@
 namespace wells {
 namespace {
 
-// Runs too short for the clock (a reading takes up to 3 us) are timed by so many at once.
-constexpr std::size_t kWarmTogether = 64;
-// New engines push each other out of the cache, so of them fewer.
-constexpr std::size_t kNewTogether = 8;
+// Runs too short for the clock (a reading takes up to 3 us) are timed several at once, this many at
+// most. New engines push each other out of the cache, so of them fewer.
+constexpr double kMostWarm = 64;
+constexpr double kMostNew = 8;
 constexpr std::int64_t kWarmUpSteps = 200;
 
 }  // namespace
@@ -49,9 +50,13 @@ double StepTiming::measure() {
   return sum.time / static_cast<double>(sum.steps) * static_cast<double>(task_.steps);
 }
 
+std::size_t StepTiming::together(double most) const {
+  return static_cast<std::size_t>(std::clamp(std::ceil(shortest_ / expected_), 1.0, most));
+}
+
 /// An engine that can start over does so, with its memory allocated and in the cache.
 StepTiming::Part StepTiming::timeWarm() {
-  std::vector<World> worlds(expected_ < shortest_ ? kWarmTogether : 1, task_.world());
+  std::vector<World> worlds(together(kMostWarm), task_.world());
   const double start = cpuTime();
   for (World& world : worlds) {
     stepper_->restore(start_);
@@ -69,7 +74,7 @@ StepTiming::Part StepTiming::timeNew() const {
     World world;
     std::unique_ptr<Stepper> stepper;
   };
-  std::vector<Run> runs(expected_ < shortest_ ? kNewTogether : 1);
+  std::vector<Run> runs(together(kMostNew));
   for (Run& run : runs) {
     run = {task_.world(), task_.stepper()};
     run.stepper->step(run.world);

@@ -25,6 +25,8 @@ class StepTiming {
     double time = 0;         // s
     std::int64_t steps = 0;  // in that time
   };
+  /// How many runs to time at once.
+  std::size_t together(double most) const;
   Part timeWarm();
   Part timeNew() const;
   void requireSameBits(const World& world) const;
