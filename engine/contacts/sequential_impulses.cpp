@@ -17,7 +17,7 @@ constexpr double kPushOut<ArenaPartner> = 1.0;
 template <class Partner>
 constexpr double kDeepest = std::numeric_limits<double>::infinity();
 template <>
-constexpr double kDeepest<ArenaPartner> = 0.5;
+constexpr double kDeepest<ArenaPartner> = 0.99;
 
 // Geometry, masses and the bounce, from the state before any impulse of this substep.
 template <class Partner>

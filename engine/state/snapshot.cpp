@@ -91,8 +91,9 @@ void transferContact(auto& bytes, auto& contact) {
 
 void transferMemory(auto& bytes, auto& memory) {
   constexpr std::size_t kContactSize = 4 + 4 + 1 + 8 + 24;
-  auto& [ballContacts, arenaContacts, inSubsteps, carried] = memory;
+  auto& [substep, ballContacts, arenaContacts, inSubsteps, carried] = memory;
   const auto transfer = [&](auto& contact) { transferContact(bytes, contact); };
+  bytes.field(substep);
   bytes.list("memory.ballContacts", ballContacts, kContactSize, transfer);
   bytes.list("memory.arenaContacts", arenaContacts, kContactSize, transfer);
   bytes.list("memory.inSubsteps", inSubsteps, 1,

@@ -98,6 +98,8 @@ void requireContacts(std::string_view name, const std::vector<StepperMemory::Con
 }
 
 void requireMemory(const StepperMemory& memory, std::size_t balls) {
+  require(memory.substep >= 0 && std::isfinite(memory.substep), "memory.substep", memory.substep,
+          "a finite number from 0");
   requireContacts("memory.ballContacts", memory.ballContacts, balls,
                   [](std::uint32_t b, std::size_t count) { return b < count; });
   requireContacts("memory.arenaContacts", memory.arenaContacts, balls,

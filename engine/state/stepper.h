@@ -39,6 +39,7 @@ struct StepperMemory {
     double normalImpulse = 0;            // N s
     Vec3 tangentImpulse = Vec3::Zero();  // N s
   };
+  double substep = 0;                    // s, in which they arose; 0: none did
   std::vector<Contact> ballContacts;     // by (a, b)
   std::vector<Contact> arenaContacts;    // by (a, b)
   std::vector<std::uint8_t> inSubsteps;  // by ball, 1: its island went by substeps

@@ -21,10 +21,10 @@ bool before(const Contact& x, const Contact& y) {
   return x.a != y.a ? x.a < y.a : x.b < y.b;
 }
 
-/// Takes over the impulses of the contacts that were there in the step before; calls
+/// Takes over the impulses of the contacts that were there in the step before, times `scale`; calls
 /// appeared(contact) for the others. Both lists are in order.
 template <class Appeared>
-void warmStartFrom(const std::vector<Contact>& old, std::vector<Contact>& contacts,
+void warmStartFrom(const std::vector<Contact>& old, double scale, std::vector<Contact>& contacts,
                    Appeared appeared) {
   auto match = old.begin();
   for (Contact& c : contacts) {
@@ -34,8 +34,8 @@ void warmStartFrom(const std::vector<Contact>& old, std::vector<Contact>& contac
       continue;
     }
     c.impact = match->impact;
-    c.normalImpulse = match->normalImpulse;
-    c.tangentImpulse = match->tangentImpulse;
+    c.normalImpulse = scale * match->normalImpulse;
+    c.tangentImpulse = scale * match->tangentImpulse;
   }
 }
 
@@ -88,6 +88,7 @@ class Simulation : public Stepper {
       world.balls = start_;
     std::swap(inSubsteps_, nextInSubsteps_);
     ++world.step;
+    lastSubstep_ = world.settings.dt / world.settings.substeps;
     keeper_.endStep(world, field_, stepBooks_);
     stepped_ = true;
     integrator_ = integrator.name;
@@ -98,6 +99,7 @@ class Simulation : public Stepper {
   const StepperMemory* memory() const override {
     remember(plan_.ballContacts, memory_.ballContacts);
     remember(plan_.arenaContacts, memory_.arenaContacts);
+    memory_.substep = lastSubstep_;
     memory_.inSubsteps = inSubsteps_;
     return &memory_;
   }
@@ -105,8 +107,9 @@ class Simulation : public Stepper {
   void restore(const StepperMemory& memory) override {
     recall(memory.ballContacts, plan_.ballContacts);
     recall(memory.arenaContacts, plan_.arenaContacts);
+    lastSubstep_ = memory.substep;
     inSubsteps_ = memory.inSubsteps;
-    stepped_ = true;
+    stepped_ = lastSubstep_ > 0;
   }
 
  private:
@@ -203,7 +206,10 @@ class Simulation : public Stepper {
   }
 
   void startFromOldImpulses(const World& world) {
-    warmStartFrom(oldBallContacts_, plan_.ballContacts, [&](const Contact& c) {
+    // What rests needs the same force, and so an impulse in proportion to the substep.
+    const double substep = world.settings.dt / world.settings.substeps;
+    const double scale = lastSubstep_ > 0 ? substep / lastSubstep_ : 1;
+    warmStartFrom(oldBallContacts_, scale, plan_.ballContacts, [&](const Contact& c) {
       // Already deep in overlap and never announced: the broadphase, or our bound on how far a
       // ball moves, has missed it. Other peers' balls jump when their states arrive.
       Contact now = c;
@@ -212,7 +218,7 @@ class Simulation : public Stepper {
       if (stepped_ && now.gap < -tolerated && world.owns(c.a) && world.owns(c.b))
         ++counts_.latePairs;
     });
-    warmStartFrom(oldArenaContacts_, plan_.arenaContacts, [](const Contact&) {});
+    warmStartFrom(oldArenaContacts_, scale, plan_.arenaContacts, [](const Contact&) {});
   }
 
   void collectBallContacts(const World& world) {
@@ -292,6 +298,7 @@ class Simulation : public Stepper {
   std::string integrator_;
   ContactMethod method_ = ContactMethod::Substep;
   bool stepped_ = false;
+  double lastSubstep_ = 0;     // s
   std::vector<double> reach_;  // m, by ball
   std::vector<std::uint64_t> sortedPairs_;
   std::vector<std::uint8_t> isDone_;  // flown through their impacts

@@ -127,6 +127,7 @@ TEST(ConfigFile, RefusesEveryBadValue) {
       {"ContactMethod=magic", "no such contact method"},
       {"Substeps=0", "out of range"},
       {"Iterations=0", "out of range"},
+      {"MostImpacts=0", "out of range"},
       {"PeerID=0", "out of range"},
       {"PeerID=256", "out of range"},
       {"UDPPort=80", "out of range"},

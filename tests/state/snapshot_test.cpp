@@ -91,7 +91,7 @@ TEST(Snapshot, HasTheDocumentedLayout) {
   const std::size_t arena = 24 + 8;
   const std::size_t step = kFieldsAt + settings + arena + 8 + 5 * 8 + 8;
   EXPECT_EQ(bytes.substr(step, 8), std::string("\2\1\0\0\0\0\0\0", 8));
-  EXPECT_EQ(bytes.size(), step + 8 + 7 * 8 + (8 + 1) + 8 + 8);
+  EXPECT_EQ(bytes.size(), step + 8 + 8 + 7 * 8 + (8 + 1) + 8 + 8);
 }
 
 TEST(Snapshot, EveryCutIsRefused) {
@@ -221,6 +221,7 @@ TEST(Snapshot, NamesTheFieldThatIsOutOfRange) {
       {"memory.ballContacts[1].a = 0; allowed: contacts that rise",
        [](Snapshot& s) { s.memory.ballContacts[1] = s.memory.ballContacts[0]; }},
       {"memory.arenaContacts[0].b = 0; ", [](Snapshot& s) { s.memory.arenaContacts[0].b = 0; }},
+      {"memory.substep = -1; ", [](Snapshot& s) { s.memory.substep = -1; }},
       {"memory.inSubsteps of a ball = 2; ", [](Snapshot& s) { s.memory.inSubsteps[0] = 2; }},
       {"length of memory.inSubsteps = 1; ", [](Snapshot& s) { s.memory.inSubsteps.resize(1); }},
       {"length of memory.carried.force = 0; ", [](Snapshot& s) { s.memory.carried.force.clear(); }},
