@@ -96,6 +96,7 @@ void Broadphase::build(const World& world) {
   bullet_->broadphase.m_deferedcollide = true;  // one pass over the trees instead of one per proxy
   bullet_->addArena();
   bullet_->proxies.assign(world.balls.size(), nullptr);
+  list();
 }
 
 void Broadphase::update(const World& world, std::span<const double> reach) {
@@ -108,8 +109,10 @@ void Broadphase::update(const World& world, std::span<const double> reach) {
   for (std::size_t i = 0; i < balls.size(); ++i) {
     btBroadphaseProxy*& proxy = bullet_->proxies[i];
     if (!isFinite(balls.position[i]) || !std::isfinite(reach[i])) {
-      if (proxy) bullet_->broadphase.destroyProxy(proxy, nullptr);
+      if (!proxy) continue;
+      bullet_->broadphase.destroyProxy(proxy, nullptr);
       proxy = nullptr;
+      ++moved_;
       continue;
     }
     const double half = balls.radius[i] + reach[i];
@@ -130,6 +133,8 @@ void Broadphase::update(const World& world, std::span<const double> reach) {
     bullet_->broadphase.setAabb(proxy, toBullet(x - fat), toBullet(x + fat), nullptr);
     ++moved_;
   }
+  // Boxes that stand where they stood have the pairs that they had.
+  if (moved_ == 0) return;
   bullet_->broadphase.calculateOverlappingPairs(nullptr);
   list();
 }

@@ -42,7 +42,7 @@ class Broadphase {
   /// A ball may stand several times, once for each piece of the ring that it is near.
   const std::vector<std::uint32_t>& nearWall() const { return nearWall_; }
 
-  /// Proxies that the last update moved, for benchmarks.
+  /// Proxies that the last update moved, added or removed, for benchmarks.
   std::int64_t moved() const { return moved_; }
 
  private:

@@ -20,10 +20,10 @@ void updateField(const World& world, std::int64_t step, Field& field) {
     const Well well = wellAt(track, step, world.settings.dt);
     if (well.strength != 0) field.wells.push_back(well);
   }
-  field.stretch =
-      field.wells.empty()
-          ? std::numeric_limits<double>::infinity()
-          : world.settings.dt / static_cast<double>(stretchesOf(field.wells, world.settings.dt));
+  const double dt = world.settings.dt;
+  field.stretches = stretchesOf(field.wells, dt);
+  field.stretch = field.wells.empty() ? std::numeric_limits<double>::infinity()
+                                      : dt / static_cast<double>(field.stretches);
 }
 
 double stretchesWanted(double strength, double softening, double dt) {

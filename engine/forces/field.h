@@ -2,6 +2,7 @@
 // force.
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -14,7 +15,9 @@ namespace wells {
 struct Field {
   Vec3 gravity = Vec3::Zero();   // m/s^2
   std::vector<Well> wells = {};  // switched on ones only
-  /// s, the longest stretch of flight that resolves the sharpest well: see stretchesOf.
+  /// The step is divided into so many stretches of flight of so many seconds, which resolve the
+  /// sharpest well: see stretchesOf.
+  std::int64_t stretches = 1;
   double stretch = std::numeric_limits<double>::infinity();
 };
 

@@ -58,7 +58,9 @@ void recall(const std::vector<StepperMemory::Contact>& memory, std::vector<Conta
 class Simulation : public Stepper {
  public:
   std::string name() const override { return "ours"; }
-  std::string integrator() const override { return integrator_; }
+  std::string integrator() const override {
+    return integrator_ ? std::string(integrator_->name) : "";
+  }
   std::string contactMethod() const override { return std::string(wells::name(method_)); }
   StepCounts counts() const override { return counts_; }
   std::span<const std::uint32_t> quarantined() const override { return quarantined_; }
@@ -91,7 +93,7 @@ class Simulation : public Stepper {
     lastSubstep_ = world.settings.dt / world.settings.substeps;
     keeper_.endStep(world, field_, stepBooks_);
     stepped_ = true;
-    integrator_ = integrator.name;
+    integrator_ = &integrator;
     method_ = world.settings.contactMethod;
     findQuarantined(world.balls);
   }
@@ -117,8 +119,7 @@ class Simulation : public Stepper {
   bool attempt(World& world, const Integrator& integrator, ContactMethod method) {
     counts_ = {};
     stepBooks_ = {};
-    counts_.flightStretches =
-        std::isfinite(field_.stretch) ? stretchesOf(field_.wells, world.settings.dt) : 1;
+    counts_.flightStretches = field_.stretches;
     planContacts(world);
     isDone_.assign(world.balls.size(), 0);
     nextInSubsteps_.assign(world.balls.size(), 0);
@@ -294,8 +295,8 @@ class Simulation : public Stepper {
   StepPlan plan_;
   StepCounts counts_;
   BookKeeper keeper_;
-  Books stepBooks_;  // of the attempt at hand
-  std::string integrator_;
+  Books stepBooks_;                         // of the attempt at hand
+  const Integrator* integrator_ = nullptr;  // of the last step
   ContactMethod method_ = ContactMethod::Substep;
   bool stepped_ = false;
   double lastSubstep_ = 0;     // s
