@@ -35,12 +35,24 @@ struct Contact {
   Vec3 tangentImpulse = Vec3::Zero();  // N s on a, of the last substep
 };
 
-/// Unit vector from a to b and the gap between two spheres. Coincident centres have no direction;
-/// they get +y, so that a push-out has somewhere to go.
+/// Some direction for two balls whose centres coincide, so that a push-out has somewhere to go. It
+/// depends on the ids alone: the same everywhere, and a clump of many balls bursts to all sides.
+inline Vec3 directionOfIds(std::uint32_t a, std::uint32_t b) {
+  std::uint64_t bits = (std::uint64_t{a} << 32 | b) * 0x9e3779b97f4a7c15u;
+  bits = (bits ^ bits >> 29) * 0xbf58476d1ce4e5b9u;
+  bits ^= bits >> 32;
+  const auto component = [&](int place) {  // never 0
+    return static_cast<double>(bits >> (20 * place) & 0xfffff) + 0.5 - 0x80000;
+  };
+  const Vec3 direction(component(0), component(1), component(2));
+  return direction / length(direction);
+}
+
+/// Unit vector from a to b and the gap between two spheres.
 inline void touchBalls(const Balls& balls, Contact& c) {
   const Vec3 d = balls.position[c.b] - balls.position[c.a];
   const double distance = length(d);
-  c.normal = distance > 0 ? Vec3(d / distance) : Vec3(0, 1, 0);
+  c.normal = distance > 0 ? Vec3(d / distance) : directionOfIds(c.a, c.b);
   c.gap = distance - (balls.radius[c.a] + balls.radius[c.b]);
 }
 
@@ -68,6 +80,11 @@ inline void touchArena(const Arena& arena, const Balls& balls, Contact& c) {
   const double fromAxis = std::sqrt(x * x + z * z);
   c.normal = fromAxis > 0 ? Vec3(x / fromAxis, 0, z / fromAxis) : Vec3(1, 0, 0);
   c.gap = arena.radius - balls.radius[c.a] - fromAxis;
+}
+
+/// By (a, b), the order of every list of contacts in a step.
+inline bool isBefore(const Contact& x, const Contact& y) {
+  return x.a != y.a ? x.a < y.a : x.b < y.b;
 }
 
 inline void touch(const Arena& arena, const Balls& balls, Contact& c) {

@@ -21,18 +21,20 @@ BookKeeper::Sums BookKeeper::sumsOf(const World& world, const Field& field, doub
 }
 
 void BookKeeper::beginStep(const World& world, const Field& field) {
+  between_ = {};
   if (!isOpen_ || !hasStepped_) return;
   // In the old field, so that a change of state and a change of field do not mix.
   const Sums before = sumsOf(world, lastField_, lastDt_);
   const Sums now = sumsOf(world, field, 0);
-  books_.outside += before.energy - last_.energy;
-  books_.wells += now.energy - before.energy;
-  books_.changes.linear += before.momentum.linear - last_.momentum.linear;
-  books_.changes.angular += before.momentum.angular - last_.momentum.angular;
+  between_.outside = before.energy - last_.energy;
+  between_.wells = now.energy - before.energy;
+  between_.changes.linear = before.momentum.linear - last_.momentum.linear;
+  between_.changes.angular = before.momentum.angular - last_.momentum.angular;
 }
 
 void BookKeeper::endStep(const World& world, const Field& field, const Books& step) {
   if (!isOpen_) return;
+  books_ += between_;
   books_ += step;
   lastField_ = field;
   lastDt_ = world.settings.dt;

@@ -32,6 +32,7 @@ class BookKeeper {
   bool isOpen_ = false;
   bool hasStepped_ = false;
   Books books_;
+  Books between_;  // what changed before the step at hand
   Field lastField_;
   double lastDt_ = 0;  // s
   Sums last_;          // at the end of the last step, in its field

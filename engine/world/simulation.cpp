@@ -7,53 +7,16 @@
 #include <limits>
 #include <stdexcept>
 
-#include "broadphase/broadphase.h"
 #include "world/advance.h"
 #include "world/book_keeper.h"
+#include "world/candidates.h"
 #include "world/contact_choice.h"
+#include "world/contact_memory.h"
 #include "world/exact_flight.h"
 #include "world/islands.h"
 
 namespace wells {
 namespace {
-
-bool before(const Contact& x, const Contact& y) {
-  return x.a != y.a ? x.a < y.a : x.b < y.b;
-}
-
-/// Takes over the impulses of the contacts that were there in the step before, times `scale`; calls
-/// appeared(contact) for the others. Both lists are in order.
-template <class Appeared>
-void warmStartFrom(const std::vector<Contact>& old, double scale, std::vector<Contact>& contacts,
-                   Appeared appeared) {
-  auto match = old.begin();
-  for (Contact& c : contacts) {
-    while (match != old.end() && before(*match, c)) ++match;
-    if (match == old.end() || match->a != c.a || match->b != c.b) {
-      appeared(c);
-      continue;
-    }
-    c.impact = match->impact;
-    c.normalImpulse = scale * match->normalImpulse;
-    c.tangentImpulse = scale * match->tangentImpulse;
-  }
-}
-
-void remember(const std::vector<Contact>& contacts, std::vector<StepperMemory::Contact>& memory) {
-  memory.clear();
-  for (const Contact& c : contacts)
-    memory.push_back({c.a, c.b, c.impact, c.normalImpulse, c.tangentImpulse});
-}
-
-void recall(const std::vector<StepperMemory::Contact>& memory, std::vector<Contact>& contacts) {
-  contacts.clear();
-  for (const StepperMemory::Contact& c : memory)
-    contacts.push_back({.a = c.a,
-                        .b = c.b,
-                        .impact = c.impact,
-                        .normalImpulse = c.normalImpulse,
-                        .tangentImpulse = c.tangentImpulse});
-}
 
 class Simulation : public Stepper {
  public:
@@ -78,8 +41,6 @@ class Simulation : public Stepper {
     updateField(world, world.step, field_);
     keeper_.beginStep(world, field_);
     findReaches(world);
-    std::swap(plan_.ballContacts, oldBallContacts_);
-    std::swap(plan_.arenaContacts, oldArenaContacts_);
     start_ = world.balls;
     inSubsteps_.resize(world.balls.size(), 0);
     // A ball that is thrown beyond its reach may have missed a pair: the step starts over with a
@@ -88,30 +49,18 @@ class Simulation : public Stepper {
          !attempt(world, integrator, methodOf(world.settings, field_, integrator, attempts));
          ++attempts)
       world.balls = start_;
-    std::swap(inSubsteps_, nextInSubsteps_);
-    ++world.step;
-    lastSubstep_ = world.settings.dt / world.settings.substeps;
-    keeper_.endStep(world, field_, stepBooks_);
-    stepped_ = true;
-    integrator_ = &integrator;
-    method_ = world.settings.contactMethod;
-    findQuarantined(world.balls);
+    commit(world, integrator);
   }
 
   const StepperMemory* memory() const override {
-    remember(plan_.ballContacts, memory_.ballContacts);
-    remember(plan_.arenaContacts, memory_.arenaContacts);
-    memory_.substep = lastSubstep_;
+    contactMemory_.save(memory_);
     memory_.inSubsteps = inSubsteps_;
     return &memory_;
   }
 
   void restore(const StepperMemory& memory) override {
-    recall(memory.ballContacts, plan_.ballContacts);
-    recall(memory.arenaContacts, plan_.arenaContacts);
-    lastSubstep_ = memory.substep;
+    contactMemory_.restore(memory);
     inSubsteps_ = memory.inSubsteps;
-    stepped_ = lastSubstep_ > 0;
   }
 
  private:
@@ -121,8 +70,6 @@ class Simulation : public Stepper {
     stepBooks_ = {};
     counts_.flightStretches = field_.stretches;
     planContacts(world);
-    isDone_.assign(world.balls.size(), 0);
-    nextInSubsteps_.assign(world.balls.size(), 0);
     const StepInput input(world, field_, integrator);
     if (method != ContactMethod::Substep && !moveByEvents(input, method, world)) return false;
     startFromOldImpulses(world);
@@ -132,6 +79,18 @@ class Simulation : public Stepper {
             keeper_.books() ? &stepBooks_ : nullptr);
     return enlargeReaches(world) == 0;
   }
+
+  void commit(World& world, const Integrator& integrator) {
+    ++world.step;
+    contactMemory_.keep(plan_.ballContacts, plan_.arenaContacts, substepOf(world.settings));
+    std::swap(inSubsteps_, nextInSubsteps_);
+    keeper_.endStep(world, field_, stepBooks_);
+    findQuarantined(world.balls);
+    integrator_ = &integrator;
+    method_ = world.settings.contactMethod;
+  }
+
+  static double substepOf(const Settings& settings) { return settings.dt / settings.substeps; }
 
   /// A ball whose state is not finite gets no reach: it is in no pair and is not moved.
   void findReaches(const World& world) {
@@ -152,10 +111,11 @@ class Simulation : public Stepper {
   /// All islands that go by exact impacts. False: a reach was too short and has been enlarged.
   bool moveByEvents(const StepInput& input, ContactMethod method, World& world) {
     Balls& balls = world.balls;
+    const auto isLeaning = candidates_.isLeaning();
     islands_.find(plan_.ballContacts, plan_.arenaContacts, balls.size());
     for (std::size_t n = 0; n < islands_.count(); ++n) {
       const auto island = islands_.balls(n);
-      if (std::any_of(island.begin(), island.end(), [&](auto i) { return isLeaning_[i] != 0; }))
+      if (std::any_of(island.begin(), island.end(), [&](auto i) { return isLeaning[i] != 0; }))
         continue;
       if (method == ContactMethod::Auto && isCrowd(world.settings, island, balls, inSubsteps_)) {
         for (const std::uint32_t i : island) nextInSubsteps_[i] = 1;
@@ -199,78 +159,31 @@ class Simulation : public Stepper {
   }
 
   void planContacts(const World& world) {
-    broadphase_.update(world, reach_);
-    collectBallContacts(world);
-    collectArenaContacts(world);
+    candidates_.find(world, reach_);
+    std::swap(plan_.ballContacts, candidates_.balls());
+    std::swap(plan_.arenaContacts, candidates_.arena());
+    counts_.candidatePairs = candidates_.pairs();
     counts_.contacts =
         static_cast<std::int64_t>(plan_.ballContacts.size() + plan_.arenaContacts.size());
+    isDone_.assign(world.balls.size(), 0);
+    nextInSubsteps_.assign(world.balls.size(), 0);
   }
 
   void startFromOldImpulses(const World& world) {
-    // What rests needs the same force, and so an impulse in proportion to the substep.
-    const double substep = world.settings.dt / world.settings.substeps;
-    const double scale = lastSubstep_ > 0 ? substep / lastSubstep_ : 1;
-    warmStartFrom(oldBallContacts_, scale, plan_.ballContacts, [&](const Contact& c) {
-      // Already deep in overlap and never announced: the broadphase, or our bound on how far a
-      // ball moves, has missed it. Other peers' balls jump when their states arrive.
-      Contact now = c;
-      touchBalls(world.balls, now);
-      const double tolerated = kLateOverlap * (world.balls.radius[c.a] + world.balls.radius[c.b]);
-      if (stepped_ && now.gap < -tolerated && world.owns(c.a) && world.owns(c.b))
-        ++counts_.latePairs;
-    });
-    warmStartFrom(oldArenaContacts_, scale, plan_.arenaContacts, [](const Contact&) {});
-  }
-
-  void collectBallContacts(const World& world) {
-    const Balls& balls = world.balls;
-    plan_.ballContacts.clear();
-    sortedPairs_.clear();
-    isLeaning_.assign(balls.size(), 0);
-    for (const BallPair& pair : broadphase_.ballPairs()) {
-      const double touching = balls.radius[pair.a] + balls.radius[pair.b];
-      const double squared = squaredLength(balls.position[pair.b] - balls.position[pair.a]);
-      // A contact between other peers' balls is theirs to compute. Here such balls only stop
-      // falling: what holds them is not known.
-      if (!world.owns(pair.a) && !world.owns(pair.b)) {
-        const double leaning = touching * (1 + kLeaningGap);
-        if (squared < leaning * leaning) isLeaning_[pair.a] = isLeaning_[pair.b] = 1;
-        continue;
-      }
-      const double bound = touching + reach_[pair.a] + reach_[pair.b];
-      if (squared > bound * bound) continue;
-      sortedPairs_.push_back(std::uint64_t{pair.a} << 32 | pair.b);
-    }
-    // The broadphase's order depends on its history; ours must not.
-    std::sort(sortedPairs_.begin(), sortedPairs_.end());
-    for (const std::uint64_t pair : sortedPairs_)
-      plan_.ballContacts.push_back(
-          {.a = static_cast<std::uint32_t>(pair >> 32), .b = static_cast<std::uint32_t>(pair)});
-    counts_.candidatePairs =
-        static_cast<std::int64_t>(broadphase_.ballPairs().size() + broadphase_.nearGround().size() +
-                                  broadphase_.nearWall().size());
-  }
-
-  void collectArenaContacts(const World& world) {
-    plan_.arenaContacts.clear();
-    const auto collect = [&](const std::vector<std::uint32_t>& candidates, std::uint32_t partner) {
-      for (const std::uint32_t i : candidates)
-        if (mayTouchArena(world.arena, world.balls.position[i], world.balls.radius[i], reach_[i],
-                          partner))
-          plan_.arenaContacts.push_back({.a = i, .b = partner});
-    };
-    collect(broadphase_.nearWall(), kWall);
-    collect(broadphase_.nearGround(), kGround);
-    auto& contacts = plan_.arenaContacts;
-    std::sort(contacts.begin(), contacts.end(), before);
-    // A ball near two pieces of the wall stands twice.
-    contacts.erase(
-        std::unique(contacts.begin(), contacts.end(),
-                    [](const Contact& x, const Contact& y) { return x.a == y.a && x.b == y.b; }),
-        contacts.end());
+    contactMemory_.start(
+        plan_.ballContacts, plan_.arenaContacts, substepOf(world.settings), [&](Contact c) {
+          // Already deep in overlap and never announced: the broadphase, or our bound on how far a
+          // ball moves, has missed it. Other peers' balls jump when their states arrive.
+          touchBalls(world.balls, c);
+          const double tolerated =
+              kLateOverlap * (world.balls.radius[c.a] + world.balls.radius[c.b]);
+          if (!contactMemory_.isEmpty() && c.gap < -tolerated && world.owns(c.a) && world.owns(c.b))
+            ++counts_.latePairs;
+        });
   }
 
   void planFlights(const World& world) {
+    const auto isLeaning = candidates_.isLeaning();
     isTouching_.assign(world.balls.size(), 0);
     for (const Contact& c : plan_.ballContacts) isTouching_[c.a] = isTouching_[c.b] = 1;
     for (const Contact& c : plan_.arenaContacts) isTouching_[c.a] = 1;
@@ -279,38 +192,35 @@ class Simulation : public Stepper {
     plan_.drifting.clear();
     for (std::uint32_t i = 0; i < isTouching_.size(); ++i) {
       if (isDone_[i] || std::isnan(reach_[i])) continue;
-      auto& list = isLeaning_[i] ? plan_.drifting : isTouching_[i] ? plan_.touching : plan_.free;
+      auto& list = isLeaning[i] ? plan_.drifting : isTouching_[i] ? plan_.touching : plan_.free;
       list.push_back(i);
     }
   }
 
   static constexpr double kLateOverlap = 1e-6;  // of the sum of radii
-  static constexpr double kLeaningGap = 0.05;   // of the sum of radii
 
+  // Kept from step to step.
+  Candidates candidates_;
+  ContactMemory contactMemory_;
+  std::vector<std::uint8_t> inSubsteps_;  // by ball, see StepperMemory
+  BookKeeper keeper_;
+  // Of the last step.
+  StepCounts counts_;
+  std::vector<std::uint32_t> quarantined_;
+  const Integrator* integrator_ = nullptr;
+  ContactMethod method_ = ContactMethod::Substep;
+  mutable StepperMemory memory_;  // made when asked for
+  // Of the step or the attempt at hand.
   Field field_;
-  Broadphase broadphase_;
+  Balls start_;
+  std::vector<double> reach_;  // m, by ball
   Islands islands_;
   ExactFlight exact_;
-  Balls start_;  // at the start of the step
   StepPlan plan_;
-  StepCounts counts_;
-  BookKeeper keeper_;
-  Books stepBooks_;                         // of the attempt at hand
-  const Integrator* integrator_ = nullptr;  // of the last step
-  ContactMethod method_ = ContactMethod::Substep;
-  bool stepped_ = false;
-  double lastSubstep_ = 0;     // s
-  std::vector<double> reach_;  // m, by ball
-  std::vector<std::uint64_t> sortedPairs_;
-  std::vector<std::uint8_t> isDone_;  // flown through their impacts
+  Books stepBooks_;
+  std::vector<std::uint8_t> isDone_;  // by ball: moved by events
   std::vector<std::uint8_t> isTouching_;
-  std::vector<std::uint8_t> isLeaning_;  // ghosts that touch ghosts
-  std::vector<Contact> oldBallContacts_;
-  std::vector<Contact> oldArenaContacts_;
-  std::vector<std::uint8_t> inSubsteps_;      // by ball, see StepperMemory
-  std::vector<std::uint8_t> nextInSubsteps_;  // of the step at hand
-  std::vector<std::uint32_t> quarantined_;
-  mutable StepperMemory memory_;  // made when asked for
+  std::vector<std::uint8_t> nextInSubsteps_;
 };
 
 }  // namespace

@@ -1,0 +1,66 @@
+#include "world/candidates.h"
+
+#include <algorithm>
+
+#include "world/advance.h"
+
+namespace wells {
+namespace {
+
+constexpr double kLeaningGap = 0.05;  // of the sum of radii
+
+}  // namespace
+
+void Candidates::find(const World& world, std::span<const double> reach) {
+  broadphase_.update(world, reach);
+  findBalls(world, reach);
+  findArena(world, reach);
+}
+
+std::int64_t Candidates::pairs() const {
+  return static_cast<std::int64_t>(broadphase_.ballPairs().size() +
+                                   broadphase_.nearGround().size() + broadphase_.nearWall().size());
+}
+
+void Candidates::findBalls(const World& world, std::span<const double> reach) {
+  const Balls& balls = world.balls;
+  balls_.clear();
+  sorted_.clear();
+  isLeaning_.assign(balls.size(), 0);
+  for (const BallPair& pair : broadphase_.ballPairs()) {
+    const double touching = balls.radius[pair.a] + balls.radius[pair.b];
+    const double squared = squaredLength(balls.position[pair.b] - balls.position[pair.a]);
+    if (!world.owns(pair.a) && !world.owns(pair.b)) {
+      const double leaning = touching * (1 + kLeaningGap);
+      if (squared < leaning * leaning) isLeaning_[pair.a] = isLeaning_[pair.b] = 1;
+      continue;
+    }
+    const double bound = touching + reach[pair.a] + reach[pair.b];
+    if (squared > bound * bound) continue;
+    sorted_.push_back(std::uint64_t{pair.a} << 32 | pair.b);
+  }
+  std::sort(sorted_.begin(), sorted_.end());
+  for (const std::uint64_t pair : sorted_)
+    balls_.push_back(
+        {.a = static_cast<std::uint32_t>(pair >> 32), .b = static_cast<std::uint32_t>(pair)});
+}
+
+void Candidates::findArena(const World& world, std::span<const double> reach) {
+  arena_.clear();
+  const auto collect = [&](const std::vector<std::uint32_t>& near, std::uint32_t partner) {
+    for (const std::uint32_t i : near)
+      if (mayTouchArena(world.arena, world.balls.position[i], world.balls.radius[i], reach[i],
+                        partner))
+        arena_.push_back({.a = i, .b = partner});
+  };
+  collect(broadphase_.nearWall(), kWall);
+  collect(broadphase_.nearGround(), kGround);
+  std::sort(arena_.begin(), arena_.end(), isBefore);
+  // A ball near two pieces of the wall stands twice.
+  arena_.erase(
+      std::unique(arena_.begin(), arena_.end(),
+                  [](const Contact& x, const Contact& y) { return x.a == y.a && x.b == y.b; }),
+      arena_.end());
+}
+
+}  // namespace wells
