@@ -242,5 +242,18 @@ TEST(PushOut, MovesBallsApartAtRest) {
   EXPECT_EQ(scene.balls.velocity[1], Vec3(0, 0, 0));
 }
 
+// A clump of balls in one point bursts to all sides: the pushes of all pairs nearly cancel.
+TEST(CoincidentBalls, GetDirectionsToAllSides) {
+  Vec3 sum = Vec3::Zero();
+  int pairs = 0;
+  for (std::uint32_t a = 0; a < 40; ++a)
+    for (std::uint32_t b = a + 1; b < 40; ++b, ++pairs) {
+      const Vec3 direction = directionOfIds(a, b);
+      EXPECT_NEAR(length(direction), 1, 1e-15);
+      sum += direction;
+    }
+  EXPECT_LE(length(sum), 3 * std::sqrt(pairs));  // of a random walk, with room
+}
+
 }  // namespace
 }  // namespace wells

@@ -116,5 +116,37 @@ TEST(Integrators, UnknownNameIsRefusedWithTheNamesThatExist) {
   }
 }
 
+// Gravity alone is exact, whatever the integrator and however long the flight: a parabola.
+TEST_P(EachIntegrator, FliesAParabolaUnderGravityAlone) {
+  const Field field{.gravity = {1, -9.81, 2}};
+  Vec3 x{1, 2, 3};
+  Vec3 v{4, 5, -6};
+  const std::uint32_t ball = 0;
+  flyThrough(method(), {&field, 0, 3, 1}, {&ball, 1}, &x, &v);
+  EXPECT_LE(length(x - Vec3(1 + 12 + 4.5, 2 + 15 - 4.5 * 9.81, 3 - 18 + 9)), 1e-14 * 50);
+  EXPECT_LE(length(v - Vec3(7, 5 - 3 * 9.81, 0)), 1e-14 * 30);
+}
+
+// Three stretches and a half are flown as three flights and a half: the same bits.
+TEST_P(EachIntegrator, FliesInStretches) {
+  Field field{.wells = {{.velocity = {1, 0, -2}, .strength = 50, .softening = 0.5}}};
+  field.stretch = 0.01;
+  Vec3 x{3, 0, 0};
+  Vec3 v{0, 0, 2};
+  Vec3 xs = x;
+  Vec3 vs = v;
+  const std::uint32_t ball = 0;
+  flyThrough(method(), {&field, 0, 0.035, 0.9}, {&ball, 1}, &x, &v);
+  double at = 0;
+  double left = 0.035;
+  for (const double h : {0.01, 0.01, 0.01, 0.0}) {
+    method().fly({&field, at, h > 0 ? h : left, 0.9}, {&ball, 1}, &xs, &vs);
+    at += h;
+    left -= h;
+  }
+  EXPECT_EQ(x, xs);
+  EXPECT_EQ(v, vs);
+}
+
 }  // namespace
 }  // namespace wells

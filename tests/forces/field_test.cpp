@@ -67,5 +67,37 @@ TEST(Drag, IsAFactorPerSecond) {
   EXPECT_NEAR(dragFactor(0.5, 1.0 / 60), std::pow(0.5, 1.0 / 60), 1e-15);
 }
 
+// omega^2 = |S| / softening^3 of the sharpest well; a stretch turns by at most 1/4 rad.
+TEST(Stretches, ResolveTheSharpestWell) {
+  const Well smooth{.strength = 10, .softening = 2};
+  const Well sharp{.strength = -100, .softening = 0.1};  // omega = 316.2 / s
+  EXPECT_EQ(stretchesOf({}, 1.0 / 60), 1);
+  EXPECT_EQ(stretchesOf({smooth}, 1.0 / 60), 1);
+  EXPECT_EQ(stretchesOf({smooth, sharp}, 1.0 / 60), 22);  // 4 x 316.2 / 60 = 21.08
+  EXPECT_EQ(stretchesOf({sharp}, 1.0 / 6000), 1);
+  EXPECT_EQ(stretchesOf({{.strength = 1e30, .softening = 0.01}}, 1), kMostStretches);
+}
+
+TEST(Stretches, AreInTheFieldOfTheStep) {
+  World world;
+  world.tracks = {{.keyframes = {{0, {0, 3, 0}, 100}}, .softening = 0.1}};
+  const Field field = fieldOf(world);
+  EXPECT_EQ(field.stretches, 22);
+  EXPECT_DOUBLE_EQ(field.stretch, 1.0 / 60 / 22);
+  world.tracks[0].keyframes[0].strength = 0;  // off
+  EXPECT_EQ(fieldOf(world).stretches, 1);
+}
+
+// The rate of the potential at a fixed place, against a difference quotient.
+TEST(Potential, ChangesAtTheRateOfItsWells) {
+  const Field field{.wells = {{.position = {1, 2, 3}, .velocity = {4, -1, 2}, .strength = 50}}};
+  const Vec3 place{-2, 1, 0};
+  const double h = 1e-5;
+  const double quotient = (potentialAt(field, place, Vec3::Zero(), 0.3 + h) -
+                           potentialAt(field, place, Vec3::Zero(), 0.3 - h)) /
+                          (2 * h);
+  EXPECT_NEAR(potentialRate(field, place, 0.3), quotient, 1e-8);
+}
+
 }  // namespace
 }  // namespace wells

@@ -112,11 +112,11 @@ class StressBooks : public testing::TestWithParam<std::string> {};
 /// What contacts may add in a step, in parts of the largest energy so far. Booked impulse by
 /// impulse, rounding leaves 1e-12 of some thousand of them. Where substeps resolve the world badly,
 /// they may add a little:
-///  - four passes leave impulses between radii 1 : 100 unfinished;
+///  - four passes leave impulses unfinished between radii 1 : 100, and among 27 balls in one point;
 ///  - a shift by the force of contact counts the pull as constant over a substep, which it is not
 ///    beside a well of 0.01 m, and not for substeps of 0.25 s (dt = 1 s).
 double mostAdded(const std::string& name) {
-  if (name == "radius_ratio" || name == "sharp_well") return 1e-4;
+  if (name == "radius_ratio" || name == "overlap_clump" || name == "sharp_well") return 1e-4;
   return name == "any_step" ? 1e-3 : 1e-12;
 }
 

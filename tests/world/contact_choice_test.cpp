@@ -1,0 +1,116 @@
+#include "world/contact_choice.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <stdexcept>
+
+#include "world/measures.h"
+#include "world/simulation.h"
+
+namespace wells {
+namespace {
+
+struct Island {
+  Settings settings;
+  Balls balls;
+  std::vector<std::uint32_t> ids;
+  std::vector<std::uint8_t> inSubsteps;
+
+  explicit Island(std::size_t count) : ids(count), inSubsteps(count, 0) {
+    std::iota(ids.begin(), ids.end(), 0u);
+    for (std::size_t i = 0; i < count; ++i)
+      balls.add({.position = {static_cast<double>(i), 1, 0}}, 0.5, 1);
+  }
+
+  bool isCrowd() const { return wells::isCrowd(settings, ids, balls, inSubsteps); }
+};
+
+TEST(ContactChoice, ManyBallsAreACrowd) {
+  EXPECT_FALSE(Island(kCrowd).isCrowd());
+  EXPECT_TRUE(Island(kCrowd + 1).isCrowd());
+}
+
+TEST(ContactChoice, ACrowdRemainsOneUntilItIsHalfAsLarge) {
+  Island half(kCrowd / 2 + 1);
+  EXPECT_FALSE(half.isCrowd());
+  half.inSubsteps[7] = 1;
+  EXPECT_TRUE(half.isCrowd());
+  Island small(kCrowd / 2);
+  small.inSubsteps.assign(small.ids.size(), 1);
+  EXPECT_FALSE(small.isCrowd());
+}
+
+TEST(ContactChoice, ElasticBallsWithoutFrictionAreNeverOne) {
+  Island island(10 * kCrowd);
+  island.settings.elasticity = 1;
+  island.settings.friction = 0;
+  EXPECT_FALSE(island.isCrowd());
+  island.settings.friction = 0.1;
+  EXPECT_TRUE(island.isCrowd());
+}
+
+TEST(ContactChoice, NeitherIsAnIslandWithAFastBall) {
+  Island island(10 * kCrowd);
+  const double radiusASubstep = 0.5 / (island.settings.dt / island.settings.substeps);
+  island.balls.velocity[3] = {0, 0, 1.01 * radiusASubstep};
+  EXPECT_FALSE(island.isCrowd());
+  island.balls.velocity[3] = {0, 0, 0.99 * radiusASubstep};
+  EXPECT_TRUE(island.isCrowd());
+}
+
+/// A ball between the wall and a heavy one that comes: 314 impacts, most of them in few steps.
+World manyImpacts(ContactMethod method) {
+  World world;
+  world.settings.gravity = Vec3::Zero();
+  world.settings.elasticity = 1;
+  world.settings.friction = 0;
+  world.settings.contactMethod = method;
+  world.settings.mostImpacts = 50;
+  world.arena.radius = 10;
+  world.balls.add({.position = {8.5, 1, 0}}, 0.5, 1);
+  world.balls.add({.position = {6.5, 1, 0}, .velocity = {40, 0, 0}}, 0.5, 1e4);
+  return world;
+}
+
+TEST(MostImpacts, StopsAnExactStepAndLeavesTheWorldAsItWas) {
+  World world = manyImpacts(ContactMethod::Exact);
+  const auto simulation = makeSimulation();
+  std::uint64_t before = 0;
+  std::string error;
+  for (int step = 0; step < 60 && error.empty(); ++step) {
+    before = stateHash(world);
+    try {
+      simulation->step(world);
+    } catch (const std::runtime_error& stop) {
+      error = stop.what();
+    }
+  }
+  EXPECT_NE(error.find("more than 50 elastic impacts in one step"), std::string::npos) << error;
+  EXPECT_NE(error.find("MostImpacts"), std::string::npos) << error;
+  EXPECT_EQ(stateHash(world), before);
+  // With more allowed it goes on from there as if nothing had been.
+  world.settings.mostImpacts = 1000;
+  std::int64_t impacts = 0;
+  for (int step = 0; step < 60; ++step) {
+    simulation->step(world);
+    impacts += simulation->counts().impacts;
+  }
+  EXPECT_GT(impacts, 300);
+  EXPECT_NEAR(measure(world).kineticEnergy / 8e6, 1, 1e-12);
+}
+
+TEST(MostImpacts, LetsAutoLeaveTheStepToTheSubsteps) {
+  World world = manyImpacts(ContactMethod::Auto);
+  const auto simulation = makeSimulation();
+  std::int64_t handedOver = 0;
+  for (int step = 0; step < 60; ++step) {
+    simulation->step(world);
+    handedOver += simulation->counts().handedOver;
+  }
+  EXPECT_GT(handedOver, 0);
+  EXPECT_EQ(measure(world).escaped, 0);
+}
+
+}  // namespace
+}  // namespace wells
