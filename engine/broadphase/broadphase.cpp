@@ -16,6 +16,9 @@ namespace {
 // What is added to a swept box, in radii. Larger: fewer proxies move, more pairs are listed.
 // T1 with 10,000 balls, 300 steps: see README.md, "Benchmark".
 constexpr double kFattening = 0.5;
+// By how many steps of its motion a box that is set anew reaches ahead. T2 with 10,000 balls: 7.1
+// ms a step with 0, 4.1 with 4, 4.5 with 8; T1 does not mind.
+constexpr double kAhead = 4;
 constexpr int kWallPieces = 64;
 constexpr double kFarAway = 1e15;  // m; beyond any arena, and still exact enough to sort
 
@@ -119,8 +122,11 @@ void Broadphase::update(const World& world, std::span<const double> reach) {
     const Vec3 swept = Vec3::Constant(half);
     const Vec3 fat = Vec3::Constant(half + kFattening * balls.radius[i]);
     const Vec3& x = balls.position[i];
+    const Vec3 ahead = balls.velocity[i] * (kAhead * world.settings.dt);
+    const Vec3 fatLow = x - fat + ahead.cwiseMin(0);
+    const Vec3 fatHigh = x + fat + ahead.cwiseMax(0);
     if (!proxy) {
-      proxy = bullet_->add(x - fat, x + fat, static_cast<std::intptr_t>(i));
+      proxy = bullet_->add(fatLow, fatHigh, static_cast<std::intptr_t>(i));
       ++moved_;
       continue;
     }
@@ -130,7 +136,7 @@ void Broadphase::update(const World& world, std::span<const double> reach) {
                         low.y() >= proxy->m_aabbMin.y() && high.y() <= proxy->m_aabbMax.y() &&
                         low.z() >= proxy->m_aabbMin.z() && high.z() <= proxy->m_aabbMax.z();
     if (inside) continue;
-    bullet_->broadphase.setAabb(proxy, toBullet(x - fat), toBullet(x + fat), nullptr);
+    bullet_->broadphase.setAabb(proxy, toBullet(fatLow), toBullet(fatHigh), nullptr);
     ++moved_;
   }
   // Boxes that stand where they stood have the pairs that they had.
