@@ -16,7 +16,7 @@ namespace {
 // What is added to a swept box, in radii. Larger: fewer proxies move, more pairs are listed.
 // T1 with 10,000 balls, 300 steps: see README.md, "Benchmark".
 constexpr double kFattening = 0.5;
-// By how many steps of its motion a box that is set anew reaches ahead. T2 with 10,000 balls: 7.1
+// Steps: by how many of its motion a box that is set anew reaches ahead. T2 with 10,000 balls: 7.1
 // ms a step with 0, 4.1 with 4, 4.5 with 8; T1 does not mind.
 constexpr double kAhead = 4;
 constexpr int kWallPieces = 64;

@@ -10,14 +10,6 @@
 
 namespace wells {
 
-// What stands in Contact::b when the partner is not a ball.
-inline constexpr std::uint32_t kGround = 0xffffffff;
-inline constexpr std::uint32_t kWall = 0xfffffffe;
-
-inline bool isBall(std::uint32_t partner) {
-  return partner < kWall;
-}
-
 /// A possible contact of ball a with ball b, the ground or the wall. The normal points from a to b;
 /// impulses are those on a along -normal and in the tangent plane, on b the opposite.
 struct Contact {

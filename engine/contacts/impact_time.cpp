@@ -111,10 +111,6 @@ Encounter encounterWithWall(const PathModel& model, const Path& ball, double fro
 
 Encounter encounterOfBalls(const PathModel& model, const Path& a, const Path& b, double from,
                            double until) {
-  // Gravity is the same for both, unless the ground takes it from one.
-  const double gravity = (a.motion == Motion::Flying) == (b.motion == Motion::Flying)
-                             ? 0
-                             : length(model.field->gravity);
   const auto gapAt = [&](double t, double end) -> GapNow {
     const BallState nowA = stateAt(model, a, t);
     const BallState nowB = stateAt(model, b, t);
@@ -125,8 +121,7 @@ Encounter encounterOfBalls(const PathModel& model, const Path& a, const Path& b,
     return {distance - a.radius - b.radius,
             withoutNoise(dot(nowA.velocity - nowB.velocity, d) / distance,
                          length(nowA.velocity) + length(nowB.velocity)),
-            gravity + accelerationBound(model, a.motion, nowA, t, end - t) +
-                accelerationBound(model, b.motion, nowB, t, end - t)};
+            approachBound(model, a.motion, nowA, b.motion, nowB, t, end - t)};
   };
   const double size = length(a.state.position) + length(b.state.position) + a.radius + b.radius;
   return follow(gapAt, kClosedGap * size, model.field->stretch, from, until);

@@ -1,5 +1,4 @@
-// When does a flying ball hit something? The first time at which a gap closes, on the flight
-// itself.
+// When does a ball hit something? The first time at which a gap closes, on the path itself.
 //
 // A gap is followed from the left: from a time t at which it is open, step by the longest time in
 // which a lower bound of the gap stays positive, and look again. With gap g, closing speed c and a

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/elementary.h"
-
 namespace wells {
 namespace {
 
@@ -28,7 +26,7 @@ Rates operator*(double s, const Rates& a) {
 Rates ratesOf(const Ledger& ledger, const PathModel& model, const Path& path, const BallState& now,
               double t) {
   Rates rates;
-  const double k = model.drag == 1 ? 0 : -naturalLogarithm(model.drag);
+  const double k = dragRate(model.drag);
   rates.drag = -k * squaredLength(now.velocity);
   rates.wells = potentialRate(*model.field, now.position, t);
   rates.pull = acceleration(*model.field, now.position, t) - k * now.velocity;
@@ -52,26 +50,28 @@ Vec3 angularOf(const Ledger& ledger, const BallState& now, double radius) {
          kInertiaFactor * radius * radius * now.spin;
 }
 
-/// One stretch, by Simpson's rule.
+struct Moment {
+  BallState state;
+  double time;
+};
+
+/// One stretch of the path, by Simpson's rule.
 void bookStretch(const Ledger& ledger, const PathModel& model, const Path& path, double mass,
-                 double until, const BallState& end) {
+                 const Moment& first, const Moment& middle, const Moment& last) {
   Books& books = *ledger.books;
-  const double h = until - path.start;
-  const double middle = path.start + h / 2;
-  const Rates sum =
-      (h / 6) * (ratesOf(ledger, model, path, path.state, path.start) +
-                 4 * ratesOf(ledger, model, path, stateAt(model, path, middle), middle) +
-                 ratesOf(ledger, model, path, end, until));
-  const double gained = energyOf(model, end, path.radius, until) -
-                        energyOf(model, path.state, path.radius, path.start);
+  const double h = last.time - first.time;
+  const auto rates = [&](const Moment& m) { return ratesOf(ledger, model, path, m.state, m.time); };
+  const Rates sum = (h / 6) * (rates(first) + 4 * rates(middle) + rates(last));
+  const double gained = energyOf(model, last.state, path.radius, last.time) -
+                        energyOf(model, first.state, path.radius, first.time);
   books.drag += mass * sum.drag;
   books.wells += mass * sum.wells;
   books.friction += mass * sum.friction;
   books.flight += mass * (gained - sum.drag - sum.wells - sum.friction);
 
-  const Vec3 push = mass * (end.velocity - path.state.velocity);
-  const Vec3 turn =
-      mass * (angularOf(ledger, end, path.radius) - angularOf(ledger, path.state, path.radius));
+  const Vec3 push = mass * (last.state.velocity - first.state.velocity);
+  const Vec3 turn = mass * (angularOf(ledger, last.state, path.radius) -
+                            angularOf(ledger, first.state, path.radius));
   if (path.motion == Motion::Flying) {
     books.fields.linear += push;
     books.fields.angular += turn;
@@ -94,16 +94,34 @@ void bookArena(const Ledger& ledger, const Contact& c, const Vec3& impulse, cons
 
 void bookPath(const Ledger& ledger, const PathModel& model, const Path& path, double mass,
               double until) {
-  Path rest = path;
-  while (rest.start < until) {
-    const double next = until - rest.start > model.field->stretch * (1 + 1e-9)
-                            ? rest.start + model.field->stretch
-                            : until;
-    const BallState end = stateAt(model, rest, next);
-    bookStretch(ledger, model, rest, mass, next, end);
-    rest.state = end;
-    rest.start = next;
+  // A flight is as good from any of its stretches on; what the ground holds is not.
+  Path from = path;
+  const auto moment = [&](double t) -> Moment { return {stateAt(model, from, t), t}; };
+  const double stretch = model.field->stretch;
+  Moment first{path.state, path.start};
+  while (first.time < until) {
+    const double next =
+        until - first.time > stretch * (1 + kNoRemainder) ? first.time + stretch : until;
+    const Moment last = moment(next);
+    if (!isFinite(last.state)) return;
+    bookStretch(ledger, model, path, mass, first, moment(first.time + (next - first.time) / 2),
+                last);
+    first = last;
+    if (path.motion == Motion::Flying) from = {last.state, last.time, path.radius};
   }
+}
+
+void bookHold(const Ledger& ledger, const BallState& before, const Path& held, double mass) {
+  Books& books = *ledger.books;
+  const auto kinetic = [&](const BallState& ball) {
+    return 0.5 * mass *
+           (squaredLength(ball.velocity) +
+            kInertiaFactor * held.radius * held.radius * squaredLength(ball.spin));
+  };
+  books.friction += kinetic(held.state) - kinetic(before);
+  books.ground.linear += mass * (held.state.velocity - before.velocity);
+  books.ground.angular +=
+      mass * (angularOf(ledger, held.state, held.radius) - angularOf(ledger, before, held.radius));
 }
 
 Placement placementOf(const Ledger& ledger, const Field& field, double t,

@@ -4,30 +4,32 @@
 #include <cmath>
 
 #include "contacts/support.h"
-#include "math/elementary.h"
 
 namespace wells {
 namespace {
 
-/// By wells and drag, of a ball in flight.
-double flightBound(const PathModel& model, const BallState& ball, double t, double duration) {
+/// m/s^2, the strongest pull of a well: at softening / sqrt(2) from it.
+double strongestPull(const Well& well) {
+  return 2 / (3 * std::sqrt(3.0)) * std::abs(well.strength) / (well.softening * well.softening);
+}
+
+/// By wells and drag. `friction`: Coulomb's coefficient where the ball slides, else 0.
+double pullBound(const PathModel& model, double friction, const BallState& ball, double t,
+                 double duration) {
   const Field& field = *model.field;
-  const double speed = length(ball.velocity);
-  double strongest = 0;
-  for (const Well& well : field.wells)
-    strongest += std::abs(well.strength) / (well.softening * well.softening);
-  strongest *= 2 / (3 * std::sqrt(3.0));
+  double strongest = length(field.gravity);
+  for (const Well& well : field.wells) strongest += strongestPull(well);
   const double fastest =
-      speed + (strongest + length(field.gravity)) * duration;  // m/s, drag only slows
-  double bound = model.drag == 1 ? 0 : -naturalLogarithm(model.drag) * fastest;
+      length(ball.velocity) + (1 + friction) * strongest * duration;  // m/s, drag only slows
+  double bound = dragRate(model.drag) * fastest;
   for (const Well& well : field.wells) {
     const Vec3 d = well.position + well.velocity * t - ball.position;
     const double e2 = well.softening * well.softening;
     const double s2 = squaredLength(d) + e2;
     const double now = std::abs(well.strength) * length(d) / (s2 * std::sqrt(s2));
     const double steepness = std::abs(well.strength) / (e2 * well.softening);
-    const double limit = 2 / (3 * std::sqrt(3.0)) * std::abs(well.strength) / e2;
-    bound += std::min(limit, now + steepness * (fastest + length(well.velocity)) * duration);
+    bound += std::min(strongestPull(well),
+                      now + steepness * (fastest + length(well.velocity)) * duration);
   }
   return bound;
 }
@@ -52,12 +54,22 @@ BallState stateAt(const PathModel& model, const Path& path, double t) {
 
 double accelerationBound(const PathModel& model, Motion motion, const BallState& now, double t,
                          double duration) {
-  const double flight = flightBound(model, now, t, duration);
-  if (motion == Motion::Flying) return flight;
+  const double friction = motion == Motion::Sliding ? model.friction : 0;
+  const double byFields = pullBound(model, friction, now, t, duration);
+  if (motion == Motion::Flying) return byFields;
   const Vec3& g = model.field->gravity;
-  const double pull = flight + std::sqrt(g.x() * g.x() + g.z() * g.z());
+  const double pull = byFields + std::sqrt(g.x() * g.x() + g.z() * g.z());
   // Rolling takes 5/7 of the pull, sliding adds friction under the weight and the wells' pull.
-  return motion == Motion::Rolling ? pull : pull + model.friction * (flight + std::abs(g.y()));
+  return pull + friction * (byFields + std::abs(g.y()));
+}
+
+double approachBound(const PathModel& model, Motion motionA, const BallState& a, Motion motionB,
+                     const BallState& b, double t, double duration) {
+  // Gravity is the same for both, unless the ground takes it from one.
+  const bool same = (motionA == Motion::Flying) == (motionB == Motion::Flying);
+  return (same ? 0 : length(model.field->gravity)) +
+         accelerationBound(model, motionA, a, t, duration) +
+         accelerationBound(model, motionB, b, t, duration);
 }
 
 }  // namespace wells

@@ -49,4 +49,9 @@ BallState stateAt(const PathModel& model, const Path& path, double t);
 double accelerationBound(const PathModel& model, Motion motion, const BallState& now, double t,
                          double duration);
 
+/// Bound (m/s^2) on how fast the closing speed of two balls can grow, beside what the turning of
+/// their line of centres does.
+double approachBound(const PathModel& model, Motion motionA, const BallState& a, Motion motionB,
+                     const BallState& b, double t, double duration);
+
 }  // namespace wells

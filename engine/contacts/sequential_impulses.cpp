@@ -36,7 +36,7 @@ void prepare(const Settings& settings, const Arena& arena, const Vec3* velocityB
     c.inverseMassB = Partner::inverseMass(balls, c);
   }
   // The impulse of an impact says nothing about the next substep's.
-  if (c.gap > 0 || c.impact || wasImpact) {
+  if (!(c.gap <= 0) || c.impact || wasImpact) {
     c.normalImpulse = 0;
     c.tangentImpulse.setZero();
   }
@@ -106,7 +106,7 @@ void shiftByContactForce(double h, Balls& balls, const Contact& c) {
 // Overlap that the balls do not leave by themselves in the next substep.
 template <class Partner>
 void pushOut(const Arena& arena, double h, Balls& balls, Contact& c) {
-  if (c.gap > 0) return;
+  if (!(c.gap <= 0)) return;
   Partner::touch(arena, balls, c);
   const double leaving = std::max(0.0, -closingSpeed<Partner>(balls.velocity.data(), c)) * h;
   // However fast it leaves, a centre does not stay outside.
@@ -155,7 +155,7 @@ void resolveContacts(const Settings& settings, const Arena& arena, double h,
   forEach(contacts, [&]<class Partner>(Contact& c) { warmStart<Partner>(balls, c, ledger); });
   for (int pass = 0; pass < settings.iterations; ++pass)
     forEach(contacts, [&]<class Partner>(Contact& c) {
-      if (c.gap > 0) return;
+      if (!(c.gap <= 0)) return;
       solveNormal<Partner>(balls, c, ledger);
       if (settings.friction > 0) solveTangent<Partner>(settings.friction, balls, c, ledger);
     });

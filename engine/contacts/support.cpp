@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "math/elementary.h"
-
 namespace wells {
 namespace {
 
@@ -15,10 +13,13 @@ constexpr double kSlipRatio = 1 + 1 / kInertiaFactor;  // du/dt over dv/dt of fr
 constexpr double kSlipNoise = 1e-10;
 constexpr double kTurningShare = 1.0 / 8;      // of the time in which friction ends a slip
 constexpr double kFollowingShare = 1.0 / 256;  // of the slip that friction ends in a stretch
+constexpr double kShortestStep = 1.0 / 4096;   // of a stretch: bounds the work
 
 // A gap this small, of the size of the coordinates, is none for a ball that does not move up or
 // down: flight in many stretches leaves it so.
 constexpr double kHeldGap = 1e-13;
+
+constexpr double kBeginning = 1.0 / 64;  // of a stretch, after which a slip must have begun
 
 /// A vector in the ground's plane.
 struct Flat {
@@ -71,13 +72,9 @@ Load loadAt(const PathModel& model, double height, Flat place, Flat velocity, do
   return {flat(a) - k * velocity, -a.y()};
 }
 
-double dragRate(const PathModel& model) {
-  return model.drag == 1 ? 0 : -naturalLogarithm(model.drag);
-}
-
 Load loadOn(const PathModel& model, const BallState& ball, double t) {
-  return loadAt(model, ball.position.y(), flat(ball.position), flat(ball.velocity), dragRate(model),
-                t);
+  return loadAt(model, ball.position.y(), flat(ball.position), flat(ball.velocity),
+                dragRate(model.drag), t);
 }
 
 bool canRoll(const PathModel& model, const Load& load) {
@@ -98,7 +95,10 @@ struct Rate {
 class Rates {
  public:
   Rates(const PathModel& model, const Path& path)
-      : model_(model), motion_(path.motion), height_(path.state.position.y()), k_(dragRate(model)) {
+      : model_(model),
+        motion_(path.motion),
+        height_(path.state.position.y()),
+        k_(dragRate(model.drag)) {
     if (motion_ != Motion::Sliding) return;
     const Flat slip = slipOf(path.state, path.radius);
     const double size = length(slip);
@@ -121,23 +121,26 @@ class Rates {
     const double friction = frictionOnSlip(load);
     // A slip that ends turns ever faster towards the pull: ever shorter steps, as it gets smaller.
     if (dot(load.pull, now.slip) < friction * slip)
-      return std::min(whole, kTurningShare * slip / friction);
+      return std::min(whole, std::max(kShortestStep * whole, kTurningShare * slip / friction));
     // One that begins is held to the pull's direction, stiffly: within what RK4 keeps stable.
-    return slip <= smallSlip(friction) ? whole : std::min(whole, slip / friction);
+    return slip <= smallSlip(friction)
+               ? whole
+               : std::min(whole, std::max(kShortestStep * whole, slip / friction));
   }
 
   Rate operator()(const Held& now, double t) const {
     const Load load = loadAt(model_, height_, now.place, now.velocity, k_, t);
     if (motion_ == Motion::Rolling)
       return {now.velocity, (1 / (1 + kInertiaFactor)) * load.pull, {}};
-    const Flat friction = (-model_.friction * load.pressing) * direction(now.slip, load);
+    const Flat friction = (-frictionOnSlip(load) / kSlipRatio) * direction(now.slip, load);
     return {now.velocity, load.pull + friction, load.pull + kSlipRatio * friction};
   }
 
  private:
-  /// m/s^2, by which friction alone would end a slip.
+  /// m/s^2, by which friction alone would end a slip. None where the ball has lifted off, which the
+  /// search for that time looks beyond.
   double frictionOnSlip(const Load& load) const {
-    return kSlipRatio * model_.friction * load.pressing;
+    return kSlipRatio * model_.friction * std::max(0.0, load.pressing);
   }
 
   /// m/s; a slip that begins and is smaller follows the pull.
@@ -277,6 +280,10 @@ double endOfMotion(const PathModel& model, const Path& path, double until) {
   double low = path.start;
   double atLow = f(low);
   const double stretch = std::min(model.field->stretch, until - path.start);
+  if (atLow <= 0) {  // a slip that begins
+    low += kBeginning * stretch;
+    atLow = f(low);
+  }
   for (double left = until - low; left > 0; left -= stretch) {
     const double high = left > stretch ? low + stretch : until;
     const double atHigh = f(high);

@@ -14,9 +14,6 @@ void flyUnderGravity(const Vec3& gravity, double h, std::span<const std::uint32_
   }
 }
 
-// A remainder this small, in stretches, is rounding and belongs to the stretch before it.
-constexpr double kNoRemainder = 1e-9;
-
 }  // namespace
 
 void flyThrough(const Integrator& integrator, const Flight& flight,

@@ -1,5 +1,4 @@
 #include "flight/methods.h"
-#include "math/elementary.h"
 
 namespace wells {
 
@@ -7,7 +6,7 @@ namespace wells {
 void flyHeun(const Flight& flight, std::span<const std::uint32_t> balls, Vec3* position,
              Vec3* velocity) {
   const double h = flight.duration;
-  const double k = flight.drag == 1 ? 0 : -naturalLogarithm(flight.drag);
+  const double k = dragRate(flight.drag);
   for (const std::uint32_t i : balls) {
     const Vec3 x = position[i];
     const Vec3 v = velocity[i];

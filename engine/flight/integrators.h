@@ -35,6 +35,9 @@ struct Integrator {
 void flyThrough(const Integrator& integrator, const Flight& flight,
                 std::span<const std::uint32_t> balls, Vec3* position, Vec3* velocity);
 
+/// A remainder this small, in stretches, is rounding and belongs to the stretch before it.
+inline constexpr double kNoRemainder = 1e-9;
+
 /// True where velocity is the rate of position at all times within a flight.
 inline bool isDenseIn(const Integrator& integrator, const Field& field, double drag) {
   return integrator.isDense || (field.wells.empty() && drag == 1);

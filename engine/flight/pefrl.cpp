@@ -29,7 +29,7 @@ void flyPefrl(const Flight& flight, std::span<const std::uint32_t> balls, Vec3* 
               Vec3* velocity) {
   const Field& field = *flight.field;
   const double h = flight.duration;
-  const double k = flight.drag == 1 ? 0 : -naturalLogarithm(flight.drag);
+  const double k = dragRate(flight.drag);
   const Kick outer((1 - 2 * kLambda) * h / 2, k);
   const Kick inner(kLambda * h, k);
   const double edge = kXi * h;

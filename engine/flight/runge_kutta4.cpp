@@ -1,5 +1,4 @@
 #include "flight/methods.h"
-#include "math/elementary.h"
 
 namespace wells {
 
@@ -10,7 +9,7 @@ void flyRungeKutta4(const Flight& flight, std::span<const std::uint32_t> balls, 
   const double h = flight.duration;
   const double half = h / 2;
   const double t = flight.start;
-  const double k = flight.drag == 1 ? 0 : -naturalLogarithm(flight.drag);
+  const double k = dragRate(flight.drag);
   for (const std::uint32_t i : balls) {
     const Vec3 x = position[i];
     const Vec3 v1 = velocity[i];

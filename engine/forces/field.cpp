@@ -22,8 +22,7 @@ void updateField(const World& world, std::int64_t step, Field& field) {
   }
   const double dt = world.settings.dt;
   field.stretches = stretchesOf(field.wells, dt);
-  field.stretch = field.wells.empty() ? std::numeric_limits<double>::infinity()
-                                      : dt / static_cast<double>(field.stretches);
+  field.stretch = dt / static_cast<double>(field.stretches);
 }
 
 double stretchesWanted(double strength, double softening, double dt) {
@@ -38,8 +37,12 @@ std::int64_t stretchesOf(const std::vector<Well>& wells, double dt) {
   return static_cast<std::int64_t>(std::min(std::ceil(most), static_cast<double>(kMostStretches)));
 }
 
+double dragRate(double drag) {
+  return drag == 1 ? 0 : -naturalLogarithm(drag);
+}
+
 double dragFactor(double drag, double h) {
-  return drag == 1 ? 1 : exponential(h * naturalLogarithm(drag));
+  return drag == 1 ? 1 : exponential(-h * dragRate(drag));
 }
 
 }  // namespace wells

@@ -77,6 +77,9 @@ inline double potentialRate(const Field& field, const Vec3& position, double t) 
   return sum;
 }
 
+/// The rate k (1/s) at which drag slows, v' = -k v; 0 without drag.
+double dragRate(double drag);
+
 /// What drag multiplies a velocity by over h seconds: drag^h, drag being the factor per second
 /// (the report's d). Exactly 1 without drag.
 double dragFactor(double drag, double h);

@@ -61,7 +61,10 @@ World movingBalls() {
   world.arena.radius = 10;
   scatterBalls(world, 25, kRadius, kMass, 1);
   Random random(2);
-  for (Vec3& velocity : world.balls.velocity) velocity = random.uniform(0, 5) * random.direction();
+  for (Vec3& velocity : world.balls.velocity) {
+    velocity = random.direction();  // before the speed: the order of the draws is the world's
+    velocity *= random.uniform(0, 5);
+  }
   return world;
 }
 

@@ -133,7 +133,7 @@ const StressCase& findStressCase(std::string_view name) {
   std::vector<std::string_view> names;
   for (const StressCase& stress : kCases) names.push_back(stress.name);
   throw std::invalid_argument(
-      fmt::format("no such stress case; allowed: {}", fmt::join(names, ", ")));
+      fmt::format("stress case '{}' is unknown; allowed: {}", name, fmt::join(names, ", ")));
 }
 
 void setDt(const StressCase& stress, const World& start, World& world) {

@@ -1,6 +1,8 @@
 // Where the balls live: a ground plane and, standing on it, a circular wall without top.
 #pragma once
 
+#include <cstdint>
+
 #include "math/vector.h"
 
 namespace wells {
@@ -11,5 +13,13 @@ struct Arena {
   Vec3 center = Vec3::Zero();  // m
   double radius = 40;          // m, > the radius of every ball
 };
+
+// What stands for a piece of the arena where the partner of a ball may be another ball's number.
+inline constexpr std::uint32_t kGround = 0xffffffff;
+inline constexpr std::uint32_t kWall = 0xfffffffe;
+
+inline bool isBall(std::uint32_t partner) {
+  return partner < kWall;
+}
 
 }  // namespace wells

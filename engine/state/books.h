@@ -4,7 +4,9 @@
 // Energy is kinetic and potential, as measures.h has it. The books close,
 //   energy now - energy at the start = energy()
 // and momentum and angular momentum likewise, to rounding: entries are measured where they arise,
-// and the one that is a remainder, flight, is that of each stretch of a ball's path.
+// and the one that is a remainder, flight, is that of each stretch of a ball's path. Ghosts that
+// drift because they touch ghosts are booked as changes from outside, with what becomes of a ball
+// whose state stops being finite.
 #pragma once
 
 #include "math/vector.h"

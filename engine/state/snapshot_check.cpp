@@ -9,7 +9,6 @@ namespace wells {
 namespace {
 
 constexpr std::int64_t kLatestStep = std::int64_t{1} << 53;  // World::time() counts in doubles
-constexpr std::uint32_t kFirstOfArena = 0xfffffffe;          // kWall; the other one is kGround
 
 template <class Value>
 void require(bool holds, std::string_view name, const Value& value, std::string_view allowed) {
@@ -103,7 +102,7 @@ void requireMemory(const StepperMemory& memory, std::size_t balls) {
   requireContacts("memory.ballContacts", memory.ballContacts, balls,
                   [](std::uint32_t b, std::size_t count) { return b < count; });
   requireContacts("memory.arenaContacts", memory.arenaContacts, balls,
-                  [](std::uint32_t b, std::size_t) { return b >= kFirstOfArena; });
+                  [](std::uint32_t b, std::size_t) { return !isBall(b); });
   requireNoneOrCount("memory.inSubsteps", memory.inSubsteps.size(), balls);
   const StepperMemory::Carried& carried = memory.carried;
   requireNoneOrCount("memory.carried.position", carried.position.size(), balls);

@@ -16,7 +16,7 @@ namespace wells {
 /// What an engine did in its last step.
 struct StepCounts {
   std::int64_t candidatePairs = 0;  // pairs whose boxes overlap, ground and wall included
-  std::int64_t contacts = 0;        // contacts given to a solver (gap small or negative)
+  std::int64_t contacts = 0;        // pairs that may touch within the step
   std::int64_t latePairs = 0;       // overlaps that the broadphase had not announced; must be 0
 
   // Which method moved the balls that could touch something.
@@ -34,7 +34,7 @@ struct StepperMemory {
   /// Impulses to start from.
   struct Contact {
     std::uint32_t a = 0;
-    std::uint32_t b = 0;  // a ball, or kGround or kWall of contacts/contact.h
+    std::uint32_t b = 0;  // a ball, kGround or kWall
     bool impact = false;
     double normalImpulse = 0;            // N s
     Vec3 tangentImpulse = Vec3::Zero();  // N s
@@ -42,7 +42,7 @@ struct StepperMemory {
   double substep = 0;                    // s, in which they arose; 0: none did
   std::vector<Contact> ballContacts;     // by (a, b)
   std::vector<Contact> arenaContacts;    // by (a, b)
-  std::vector<std::uint8_t> inSubsteps;  // by ball, 1: its island went by substeps
+  std::vector<std::uint8_t> inSubsteps;  // by ball, 1: its island was a crowd
 
   /// What the balls of the custom integrator bring along; each list by ball.
   struct Carried {
@@ -68,7 +68,8 @@ class Stepper {
   /// Advances `world` by one step of world.settings.dt. The same world must be passed each time,
   /// but its balls' states, roles, tracks and settings may have been changed from outside in
   /// between (another peer's states, a hand-over). Throws std::runtime_error where it would have to
-  /// break a promise to go on (see Settings::mostImpacts); `world` is then as it was.
+  /// break a promise to go on (see Settings::mostImpacts), and std::invalid_argument for an unknown
+  /// integrator; `world` is then as it was.
   virtual void step(World& world) = 0;
 
   /// Of the last step.

@@ -31,7 +31,7 @@ double reachOf(const Field& field, const BallState& ball, double radius, double 
 /// then enlarged to at least twice its size.
 bool isBeyondReach(const Vec3& start, const BallState& now, double dt, double& reach);
 
-/// True when ball `i` may touch the partner (kGround or kWall) of the arena in this step.
+/// True when a ball may touch the partner (kGround or kWall) of the arena in this step.
 bool mayTouchArena(const Arena& arena, const Vec3& position, double radius, double reach,
                    std::uint32_t partner);
 

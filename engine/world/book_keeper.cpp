@@ -1,5 +1,7 @@
 #include "world/book_keeper.h"
 
+#include <cmath>
+
 namespace wells {
 
 BookKeeper::Sums BookKeeper::sumsOf(const World& world, const Field& field, double t) {
@@ -8,6 +10,7 @@ BookKeeper::Sums BookKeeper::sumsOf(const World& world, const Field& field, doub
   Sums sums;
   for (std::size_t i = 0; i < balls.size(); ++i) {
     if (!isFinite(balls.state(i))) continue;
+    ++sums.balls;
     const double mass = balls.mass[i];
     const double inertia = kInertiaFactor * mass * balls.radius[i] * balls.radius[i];
     const Vec3 momentum = mass * balls.velocity[i];
@@ -20,14 +23,23 @@ BookKeeper::Sums BookKeeper::sumsOf(const World& world, const Field& field, doub
   return sums;
 }
 
+Books BookKeeper::unbooked(const Sums& start, const Sums& end, const Books& step) {
+  Books rest;
+  rest.outside = end.energy - start.energy - step.energy();
+  rest.changes.linear = end.momentum.linear - start.momentum.linear - step.impulse();
+  rest.changes.angular = end.momentum.angular - start.momentum.angular - step.angularImpulse();
+  return rest;
+}
+
 void BookKeeper::beginStep(const World& world, const Field& field) {
   between_ = {};
-  if (!isOpen_ || !hasStepped_) return;
+  if (!isOpen_) return;
+  start_ = sumsOf(world, field, 0);
+  if (!hasStepped_) return;
   // In the old field, so that a change of state and a change of field do not mix.
   const Sums before = sumsOf(world, lastField_, lastDt_);
-  const Sums now = sumsOf(world, field, 0);
   between_.outside = before.energy - last_.energy;
-  between_.wells = now.energy - before.energy;
+  between_.wells = start_.energy - before.energy;
   between_.changes.linear = before.momentum.linear - last_.momentum.linear;
   between_.changes.angular = before.momentum.angular - last_.momentum.angular;
 }
@@ -35,10 +47,13 @@ void BookKeeper::beginStep(const World& world, const Field& field) {
 void BookKeeper::endStep(const World& world, const Field& field, const Books& step) {
   if (!isOpen_) return;
   books_ += between_;
-  books_ += step;
   lastField_ = field;
   lastDt_ = world.settings.dt;
   last_ = sumsOf(world, field, lastDt_);
+  const Books booked = std::isfinite(step.energy()) ? step : Books{};
+  books_ += booked;
+  if (!world.roles.empty() || last_.balls != start_.balls)
+    books_ += unbooked(start_, last_, booked);
   hasStepped_ = true;
 }
 

@@ -24,9 +24,13 @@ class BookKeeper {
  private:
   /// Energy (J), momentum and angular momentum of all balls whose states are finite.
   struct Sums {
+    std::int64_t balls = 0;
     double energy = 0;
     ImpulseBook momentum;
   };
+  /// What a step did to balls that nobody books: ghosts that drift, and balls whose state stopped
+  /// being finite.
+  static Books unbooked(const Sums& start, const Sums& end, const Books& step);
   static Sums sumsOf(const World& world, const Field& field, double t);
 
   bool isOpen_ = false;
@@ -36,6 +40,7 @@ class BookKeeper {
   Field lastField_;
   double lastDt_ = 0;  // s
   Sums last_;          // at the end of the last step, in its field
+  Sums start_;         // of the step at hand
 };
 
 }  // namespace wells

@@ -1,6 +1,5 @@
 // Which islands go by exact impacts and which by substeps, under ContactMethod::Auto. Decided from
-// what is known at the start of the step, so that every peer that has an island's balls decides
-// alike.
+// what is known at the start of the step about the island alone.
 #pragma once
 
 #include <cstdint>

@@ -6,7 +6,8 @@ namespace {
 void copy(const std::vector<Contact>& contacts, std::vector<StepperMemory::Contact>& kept) {
   kept.clear();
   for (const Contact& c : contacts)
-    kept.push_back({c.a, c.b, c.impact, c.normalImpulse, c.tangentImpulse});
+    if (std::isfinite(c.normalImpulse) && isFinite(c.tangentImpulse))
+      kept.push_back({c.a, c.b, c.impact, c.normalImpulse, c.tangentImpulse});
 }
 
 }  // namespace

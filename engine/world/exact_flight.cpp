@@ -20,7 +20,10 @@ constexpr double kMostOverlap = 1e-9;  // of the radius
 bool anyOverlaps(const Arena& arena, std::span<const Contact> pairs, const Balls& balls) {
   return std::any_of(pairs.begin(), pairs.end(), [&](Contact c) {
     touch(arena, balls, c);
-    return c.gap < -kMostOverlap * balls.radius[c.a];
+    const double smaller =
+        isBall(c.b) ? std::min(balls.radius[c.a], balls.radius[c.b]) : balls.radius[c.a];
+    const double size = length(balls.position[c.a]) + length(arena.center) + arena.radius;
+    return c.gap < -std::max(kMostOverlap * smaller, kTouchingGap * size);
   });
 }
 
@@ -34,9 +37,10 @@ IslandFate ExactFlight::run(const StepInput& in, std::span<const std::uint32_t> 
   for (const std::uint32_t i : island)
     balls.setState(i, fate == IslandFate::Done ? stateAt(in.model, path_[i], dt_) : start_[i]);
   if (fate != IslandFate::Done) return fate;
-  for (const std::uint32_t i : island) {
-    if (!isTooFar(i, balls, reach)) continue;
-    for (const std::uint32_t j : island) balls.setState(j, start_[j]);
+  bool anyTooFar = false;
+  for (const std::uint32_t i : island) anyTooFar |= isTooFar(in, i, dt_, balls, reach);
+  if (anyTooFar) {
+    for (const std::uint32_t i : island) balls.setState(i, start_[i]);
     return IslandFate::TooFar;
   }
   for (const std::uint32_t i : island) book(in, i, dt_, balls);
@@ -56,9 +60,11 @@ void ExactFlight::begin(const StepInput& in, std::span<const std::uint32_t> isla
   version_.resize(balls.size());
   firstPair_.resize(balls.size());
   pairCount_.resize(balls.size());
+  isInCluster_.resize(balls.size(), 0);
   for (const std::uint32_t i : island) {
     start_[i] = balls.state(i);
     path_[i] = pathFrom(in.model, start_[i], balls.radius[i], 0);
+    bookHold(i, start_[i], balls);
     version_[i] = 0;
     pairCount_[i] = 0;
     foreseeEndOfMotion(in, i);
@@ -97,18 +103,22 @@ IslandFate ExactFlight::simulate(const StepInput& in, std::span<const Contact> p
       cluster_.clear();
       clusterBalls_.assign(1, event.ball);
       book(in, event.ball, event.time, balls);
+      const BallState before = stateAt(in.model, path_[event.ball], event.time);
       path_[event.ball] = pathAfter(in.model, path_[event.ball], event.time);
+      bookHold(event.ball, before, balls);
       ++version_[event.ball];
     } else {
       gatherCluster(in, pairs, event, balls);
       const std::int64_t before = counts_.impacts;
       const IslandFate fate = resolve(in, event.time, balls);
       if (fate != IslandFate::Done) return fate;
-      if (counts_.impacts == before) continue;  // it closes by rounding alone
+      // It closes by rounding alone, and nothing will press it: it need not be foreseen again.
+      if (counts_.impacts == before) continue;
       for (const std::uint32_t i : clusterBalls_) {
-        if (isTooFar(i, balls, reach)) return IslandFate::TooFar;
+        if (isTooFar(in, i, event.time, balls, reach)) return IslandFate::TooFar;
         book(in, i, event.time, balls);
         path_[i] = pathFrom(in.model, balls.state(i), path_[i].radius, event.time);
+        bookHold(i, balls.state(i), balls);
         ++version_[i];
       }
     }
@@ -153,6 +163,11 @@ bool ExactFlight::settles(double elasticity, double pressing, const Balls& balls
 
 void ExactFlight::book(const StepInput& in, std::uint32_t i, double t, const Balls& balls) {
   if (ledger_) bookPath(ledger_, in.model, path_[i], balls.mass[i], t);
+}
+
+void ExactFlight::bookHold(std::uint32_t i, const BallState& before, const Balls& balls) {
+  if (ledger_ && path_[i].motion != Motion::Flying)
+    wells::bookHold(ledger_, before, path_[i], balls.mass[i]);
 }
 
 void ExactFlight::foreseeEndOfMotion(const StepInput& in, std::uint32_t ball) {
@@ -214,13 +229,12 @@ void ExactFlight::gatherCluster(const StepInput& in, std::span<const Contact> pa
                                 const Event& event, Balls& balls) {
   cluster_.clear();
   clusterBalls_.clear();
-  const auto isHere = [&](std::uint32_t i) {
-    return std::find(clusterBalls_.begin(), clusterBalls_.end(), i) != clusterBalls_.end();
-  };
+  const auto isHere = [&](std::uint32_t i) { return isInCluster_[i] != 0; };
   const auto bring = [&](std::uint32_t i) {
     if (!isBall(i) || isHere(i)) return;
     balls.setState(i, stateAt(in.model, path_[i], event.time));
     clusterBalls_.push_back(i);
+    isInCluster_[i] = 1;
   };
   const auto include = [&](std::uint32_t p) {
     inCluster_[p] = 1;
@@ -245,17 +259,20 @@ void ExactFlight::gatherCluster(const StepInput& in, std::span<const Contact> pa
       if (now.gap <= kTouchingGap * size) include(p);
     }
   }
-  for (const std::uint32_t i : clusterBalls_)
+  for (const std::uint32_t i : clusterBalls_) {
     for (std::uint32_t k = 0; k < pairCount_[i]; ++k) inCluster_[pairsOf_[firstPair_[i] + k]] = 0;
+    isInCluster_[i] = 0;
+  }
 }
 
 double ExactFlight::pressingBound(const StepInput& in, double time, const Contact& c,
                                   const Balls& balls) const {
   const double substep = dt_ / in.settings.substeps;
-  const auto bound = [&](std::uint32_t i) {
-    return accelerationBound(in.model, path_[i].motion, balls.state(i), time, substep);
-  };
-  return bound(c.a) + (isBall(c.b) ? bound(c.b) : length(in.settings.gravity));
+  if (isBall(c.b))
+    return approachBound(in.model, path_[c.a].motion, balls.state(c.a), path_[c.b].motion,
+                         balls.state(c.b), time, substep);
+  return length(in.settings.gravity) +
+         accelerationBound(in.model, path_[c.a].motion, balls.state(c.a), time, substep);
 }
 
 bool ExactFlight::mayBePressed(const StepInput& in, double time, const Balls& balls) const {
@@ -273,8 +290,19 @@ bool ExactFlight::isTooSlow(const StepInput& in, double time, const Balls& balls
   });
 }
 
-bool ExactFlight::isTooFar(std::uint32_t ball, const Balls& balls, std::span<double> reach) const {
-  return isBeyondReach(start_[ball].position, balls.state(ball), dt_, reach[ball]);
+bool ExactFlight::isTooFar(const StepInput& in, std::uint32_t ball, double t, const Balls& balls,
+                           std::span<double> reach) const {
+  const double left = dt_ - t;
+  const BallState now = balls.state(ball);
+  const double ahead =
+      left > 0
+          ? (length(now.velocity) + length(acceleration(*in.model.field, now.position, t)) * left) *
+                left
+          : 0;
+  const double moved = length(now.position - start_[ball].position) + ahead;
+  if (!(moved > reach[ball])) return false;  // what is not finite has no reach
+  reach[ball] = 2 * moved;
+  return true;
 }
 
 }  // namespace wells

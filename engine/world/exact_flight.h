@@ -30,17 +30,15 @@ enum class IslandFate : std::uint8_t {
   TooMany     // more elastic impacts than settings.mostImpacts
 };
 
-/// After so many attempts at a step with ever larger reaches all of it is left to the substeps: a
-/// heap that throws its balls further each time is not worth more.
+/// After so many attempts at a step with ever larger reaches an island that is still thrown beyond
+/// them is left to the substeps: it is not worth more.
 inline constexpr int kMostExactAttempts = 8;
 
-/// The method of the given attempt (from 1) at a step: what is asked for, but substeps where the
-/// integrator has no dense output and after kMostExactAttempts.
+/// The method of a step: what is asked for, but substeps where the integrator has no dense output.
 inline ContactMethod methodOf(const Settings& settings, const Field& field,
-                              const Integrator& integrator, int attempt) {
-  return isDenseIn(integrator, field, settings.drag) && attempt <= kMostExactAttempts
-             ? settings.contactMethod
-             : ContactMethod::Substep;
+                              const Integrator& integrator) {
+  return isDenseIn(integrator, field, settings.drag) ? settings.contactMethod
+                                                     : ContactMethod::Substep;
 }
 
 struct ExactCounts {
@@ -48,11 +46,10 @@ struct ExactCounts {
   std::int64_t clusters = 0;  // instants at which several of them hung together
 };
 
-/// What is left to the solver of lasting contacts: inelastic impacts (e < 1), but for those of one
-/// ball with the ground alone, slower than what the pressing acceleration builds up in half a
-/// substep, whose bounces would be shorter than one; and
-/// islands with more inelastic impacts or changes of motion in one step than this. Elastic impacts
-/// are never too slow.
+/// An island with more inelastic impacts or changes of motion in one step than this is left to the
+/// solver of lasting contacts. So is one with an inelastic impact that is slower than what presses
+/// the balls together in half a substep: its bounces would be shorter than one. (Not so one ball
+/// that bounces on the ground alone; see kSettlingTime.)
 inline constexpr std::int64_t kMostInelasticImpacts = 1000;
 
 /// The bounces of one ball on the ground follow each other in a geometric series of ratio e. When
@@ -103,6 +100,8 @@ class ExactFlight {
   bool foresee(const StepInput& in, std::span<const Contact> pairs, std::uint32_t p);
   /// Ball i has followed its path until t.
   void book(const StepInput& in, std::uint32_t i, double t, const Balls& balls);
+  /// The ground may have taken hold of ball i, which had `before`.
+  void bookHold(std::uint32_t i, const BallState& before, const Balls& balls);
   void foreseeEndOfMotion(const StepInput& in, std::uint32_t ball);
   void add(const Event& event);
   /// Both for the cluster's balls and all their pairs.
@@ -115,7 +114,9 @@ class ExactFlight {
                        const Balls& balls) const;
   bool mayBePressed(const StepInput& in, double time, const Balls& balls) const;
   bool isTooSlow(const StepInput& in, double time, const Balls& balls) const;
-  bool isTooFar(std::uint32_t ball, const Balls& balls, std::span<double> reach) const;
+  /// At time t: whether the ball may leave its reach by the end of the step, which then grows.
+  bool isTooFar(const StepInput& in, std::uint32_t ball, double t, const Balls& balls,
+                std::span<double> reach) const;
 
   // By ball, sized for the world; only those of the island are valid.
   std::vector<Path> path_;
@@ -128,7 +129,8 @@ class ExactFlight {
   std::vector<Event> events_;  // heap, earliest first
   std::vector<Contact> cluster_;
   std::vector<std::uint32_t> clusterBalls_;
-  std::vector<std::uint8_t> inCluster_;  // by pair of the island
+  std::vector<std::uint8_t> inCluster_;    // by pair of the island
+  std::vector<std::uint8_t> isInCluster_;  // by ball
   ExactCounts counts_;
   bool keepsBooks_ = false;
   Books books_;

@@ -1,6 +1,7 @@
 #include "world/prediction.h"
 
 #include "world/advance.h"
+#include "world/contact_memory.h"
 #include "world/exact_flight.h"
 
 namespace wells {
@@ -16,24 +17,29 @@ class LoneBall {
 
   void step(const Field& field, Balls& ball) {
     const BallState start = ball.state(kBall);
+    if (!isFinite(start)) return;
     reach_ = reachOf(field, start, ball.radius[kBall], world_.settings.dt);
-    for (int attempts = 1;
-         !attempt(field, ball, methodOf(world_.settings, field, integrator_, attempts)); ++attempts)
-      ball.setState(kBall, start);
+    for (int attempts = 1; !attempt(field, ball, attempts); ++attempts) ball.setState(kBall, start);
+    memory_.keep(plan_.ballContacts, plan_.arenaContacts, substep_);
   }
 
  private:
   /// False: the reach was too short and has been enlarged.
-  bool attempt(const Field& field, Balls& ball, ContactMethod method) {
+  bool attempt(const Field& field, Balls& ball, int attempts) {
     const Vec3 start = ball.position[kBall];
     findContacts(ball);
     const StepInput input(world_, field, integrator_);
+    const ContactMethod method = methodOf(world_.settings, field, integrator_);
     if (method != ContactMethod::Substep && !plan_.arenaContacts.empty()) {
       const IslandFate fate =
           exact_.run(input, {&kBall, 1}, plan_.arenaContacts, {&reach_, 1}, ball);
-      if (fate == IslandFate::Done) return true;
-      if (fate == IslandFate::TooFar) return false;
+      if (fate == IslandFate::TooFar && attempts <= kMostExactAttempts) return false;
+      if (fate == IslandFate::Done) {
+        plan_.arenaContacts.clear();
+        return true;
+      }
     }
+    memory_.start(plan_.ballContacts, plan_.arenaContacts, substep_, [](const Contact&) {});
     plan_.free.clear();
     plan_.touching.clear();
     (plan_.arenaContacts.empty() ? plan_.free : plan_.touching).push_back(kBall);
@@ -52,8 +58,10 @@ class LoneBall {
   const World& world_;
   const Integrator& integrator_;
   StepPlan plan_;
+  ContactMemory memory_;
   ExactFlight exact_;
-  double reach_ = 0;  // m
+  double substep_ = world_.settings.dt / world_.settings.substeps;  // s
+  double reach_ = 0;                                                // m
 };
 
 }  // namespace

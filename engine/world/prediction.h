@@ -1,6 +1,6 @@
 // Where a ball will be that nobody touches: what a peer shows of another peer's ball between two of
-// its states. The same code as the owner's step, so that the prediction of a ball that touches no
-// other ball has the owner's bits.
+// its states. The same code as the owner's step, so that the prediction of a ball that can meet
+// no other ball has the owner's bits, if no contact in substeps lasted at its start.
 #pragma once
 
 #include <cstddef>

@@ -45,10 +45,14 @@ class Simulation : public Stepper {
     inSubsteps_.resize(world.balls.size(), 0);
     // A ball that is thrown beyond its reach may have missed a pair: the step starts over with a
     // larger one. Reaches at least double each time, so that ends.
-    for (int attempts = 1;
-         !attempt(world, integrator, methodOf(world.settings, field_, integrator, attempts));
-         ++attempts)
+    method_ = methodOf(world.settings, field_, integrator);
+    try {
+      for (int attempts = 1; !attempt(world, integrator, attempts); ++attempts)
+        world.balls = start_;
+    } catch (...) {
       world.balls = start_;
+      throw;
+    }
     commit(world, integrator);
   }
 
@@ -65,13 +69,15 @@ class Simulation : public Stepper {
 
  private:
   /// One step with the present reaches. False: one was too short and has been enlarged.
-  bool attempt(World& world, const Integrator& integrator, ContactMethod method) {
+  bool attempt(World& world, const Integrator& integrator, int attempts) {
     counts_ = {};
     stepBooks_ = {};
     counts_.flightStretches = field_.stretches;
     planContacts(world);
     const StepInput input(world, field_, integrator);
-    if (method != ContactMethod::Substep && !moveByEvents(input, method, world)) return false;
+    const auto lastResort =
+        attempts > kMostExactAttempts ? WhenTooFar::HandOver : WhenTooFar::StartOver;
+    if (method_ != ContactMethod::Substep && !moveByEvents(input, lastResort, world)) return false;
     startFromOldImpulses(world);
     planFlights(world);
     counts_.substepBalls = static_cast<std::int64_t>(plan_.touching.size());
@@ -87,7 +93,6 @@ class Simulation : public Stepper {
     keeper_.endStep(world, field_, stepBooks_);
     findQuarantined(world.balls);
     integrator_ = &integrator;
-    method_ = world.settings.contactMethod;
   }
 
   static double substepOf(const Settings& settings) { return settings.dt / settings.substeps; }
@@ -108,8 +113,11 @@ class Simulation : public Stepper {
       if (!isFinite(balls.state(i))) quarantined_.push_back(i);
   }
 
-  /// All islands that go by exact impacts. False: a reach was too short and has been enlarged.
-  bool moveByEvents(const StepInput& input, ContactMethod method, World& world) {
+  enum class WhenTooFar : std::uint8_t { StartOver, HandOver };
+
+  /// All islands that go by exact impacts. False: reaches were too short and have been enlarged.
+  bool moveByEvents(const StepInput& input, WhenTooFar whenTooFar, World& world) {
+    bool isComplete = true;
     Balls& balls = world.balls;
     const auto isLeaning = candidates_.isLeaning();
     islands_.find(plan_.ballContacts, plan_.arenaContacts, balls.size());
@@ -117,13 +125,16 @@ class Simulation : public Stepper {
       const auto island = islands_.balls(n);
       if (std::any_of(island.begin(), island.end(), [&](auto i) { return isLeaning[i] != 0; }))
         continue;
-      if (method == ContactMethod::Auto && isCrowd(world.settings, island, balls, inSubsteps_)) {
+      if (method_ == ContactMethod::Auto && isCrowd(world.settings, island, balls, inSubsteps_)) {
         for (const std::uint32_t i : island) nextInSubsteps_[i] = 1;
         continue;
       }
       const IslandFate fate = exact_.run(input, island, islands_.pairs(n), reach_, balls);
-      if (fate == IslandFate::TooFar) return false;
-      if (fate == IslandFate::TooMany && method == ContactMethod::Exact) giveUp(world, island);
+      if (fate == IslandFate::TooFar && whenTooFar == WhenTooFar::StartOver) {
+        isComplete = false;
+        continue;
+      }
+      if (fate == IslandFate::TooMany && method_ == ContactMethod::Exact) giveUp(world, island);
       if (fate != IslandFate::Done) {
         ++counts_.handedOver;
         continue;
@@ -134,14 +145,14 @@ class Simulation : public Stepper {
       counts_.clusters += exact_.counts().clusters;
       counts_.exactBalls += static_cast<std::int64_t>(island.size());
     }
+    if (!isComplete) return false;
     const auto isDone = [&](const Contact& c) { return isDone_[c.a] != 0; };
     std::erase_if(plan_.ballContacts, isDone);
     std::erase_if(plan_.arenaContacts, isDone);
     return true;
   }
 
-  [[noreturn]] void giveUp(World& world, std::span<const std::uint32_t> island) {
-    world.balls = start_;
+  [[noreturn]] static void giveUp(const World& world, std::span<const std::uint32_t> island) {
     throw std::runtime_error(fmt::format(
         "step {}: ball {} and {} others that may meet it have more than {} elastic impacts in one "
         "step; allow more (MostImpacts), make Dt shorter, or let ContactMethod auto choose",
