@@ -171,8 +171,9 @@ void resolveContacts(const Settings& settings, const Arena& arena, double h,
   const Placement pushed = placement();
   const double both = impulses.contacts + impulses.friction + shifted.potential - solved.potential;
   impulses.contacts = normals;
-  impulses.friction = both - normals;
-  impulses.pushOut = pushed.potential - shifted.potential;
+  impulses.friction = settings.friction > 0 ? both - normals : 0;
+  // Without friction, the rest is by how much the pull of the fields varies over the shifts.
+  impulses.pushOut = pushed.potential - shifted.potential + both - normals - impulses.friction;
   impulses.shifts.angular += pushed.angular - solved.angular;
   *booking->books += impulses;
 }

@@ -26,7 +26,7 @@ struct Books {
   double friction = 0;  // tangent impulses, and sliding
   double drag = 0;      // never > 0
   double wells = 0;     // wells that move, and fields that are switched or change their strength
-  double pushOut = 0;   // potential energy that pushing out of overlaps changed
+  double pushOut = 0;   // potential energy that correcting positions changed: pushing out overlaps
   double flight = 0;    // residual of the integrator: falls with its order
   double outside = 0;   // states that were changed between two steps
 

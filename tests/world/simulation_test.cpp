@@ -152,6 +152,33 @@ TEST(Prediction, HasTheBitsOfTheSimulation) {
   }
 }
 
+// The same in each method, and for a ball that a well presses to the wall, where contacts last and
+// start from remembered impulses.
+TEST(Prediction, HasTheBitsOfTheSimulationInEachMethod) {
+  for (const ContactMethod method :
+       {ContactMethod::Substep, ContactMethod::Exact, ContactMethod::Auto})
+    for (const char* integrator : {"symplectic-euler", "pefrl"}) {
+      World world;
+      world.arena.radius = 10;
+      world.settings.contactMethod = method;
+      world.settings.integrator = integrator;
+      world.tracks = {{.keyframes = {{0, {12, 1, 0}, 300}}}};
+      world.balls.add({.position = {5, 3, 2}, .velocity = {2, 0, -1}, .spin = {3, 4, 5}}, 0.5, 2);
+      const BallState start = world.balls.state(0);
+      const auto simulation = makeSimulation();
+      std::int64_t inSubsteps = 0;
+      for (int step = 0; step < 300; ++step) {
+        simulation->step(world);
+        inSubsteps += simulation->counts().substepBalls;
+      }
+      EXPECT_GT(inSubsteps, 20) << "the contact with the wall lasts";
+      const BallState predicted = predict(world, 0, start, 0, 300);
+      EXPECT_EQ(predicted.position, world.balls.position[0]) << name(method) << " " << integrator;
+      EXPECT_EQ(predicted.velocity, world.balls.velocity[0]) << name(method) << " " << integrator;
+      EXPECT_EQ(predicted.spin, world.balls.spin[0]) << name(method) << " " << integrator;
+    }
+}
+
 TEST(Prediction, OfNoStepsIsTheState) {
   World world = makeScene(findScene("bounce"));
   const BallState state = world.balls.state(0);
