@@ -41,6 +41,7 @@ struct BenchOptions {
   double dt = 0;  // s; 0: the scene's
   fs::path csv;
   bool list = false;
+  bool noBooks = false;
 };
 
 void addOptions(CLI::App& app, BenchOptions& options) {
@@ -79,6 +80,8 @@ void addOptions(CLI::App& app, BenchOptions& options) {
          "--csv", [&](const std::string& value) { options.csv = value; },
          "appends the row to this file instead of printing it")
       ->type_name("FILE");
+  app.add_flag("--no-books", options.noBooks,
+               "leaves out the second run, in which ours books where the energy goes");
   app.add_flag("--list", options.list, "lists the scenes and ends");
 }
 
@@ -173,9 +176,10 @@ int runBench(std::span<const std::string> arguments, char** argv) {
   BenchResult result = withProgress(steps, world.settings.dt, [&](const auto& progress) {
     return benchmark(*newStepper(), world, steps, progress);
   });
-  result.books = withProgress(steps, world.settings.dt, [&](const auto& progress) {
-    return bookedRun(*newStepper(), world, steps, progress);
-  });
+  if (!options.noBooks)
+    result.books = withProgress(steps, world.settings.dt, [&](const auto& progress) {
+      return bookedRun(*newStepper(), world, steps, progress);
+    });
   result.scene = options.scene;
   result.threads = options.threads;
   if (options.csv.empty())

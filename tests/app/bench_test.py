@@ -46,10 +46,23 @@ class Bench(unittest.TestCase):
     def test_heaps_have_the_same_bits_in_each_run_and_for_any_number_of_threads(self):
         for threads in (1, 1, 2, 4):
             rows = self.rows("--scene", "T1", "--balls", 10000, "--steps", 300, "--engine", "ours",
-                             "--threads", threads)
+                             "--no-books", "--threads", threads)
         self.assertEqual([row["threads"] for row in rows], ["1", "1", "2", "4"])
         self.assertEqual(len({row["state_hash"] for row in rows}), 1)
         self.assertEqual({row["escaped"] for row in rows}, {"0"})
+
+    def test_the_booked_energy_is_what_was_gained(self):
+        sources = ("contacts_J", "friction_J", "drag_J", "wells_J", "push_out_J", "flight_J")
+        world = ("--scene", "T1", "--balls", 50, "--steps", 200)
+        row = self.rows(*world)[-1]
+        gained = float(row["energy_end_J"]) - float(row["energy_start_J"])
+        booked = sum(float(row[source]) for source in sources)
+        self.assertLess(gained, -1000)
+        self.assertAlmostEqual(booked, gained, delta=1e-8 * abs(gained))
+        self.assertLess(max(float(row["contacts_J"]), float(row["friction_J"])), 0)
+        for unbooked in (("--no-books",), ("--engine", "bullet")):
+            row = self.rows(*world, *unbooked)[-1]
+            self.assertEqual({row[source] for source in sources}, {""}, unbooked)
 
     def test_another_seed_has_another_hash(self):
         rows = self.rows("--scene", "T1", "--balls", 100, "--steps", 10, "--seed", 1)
