@@ -12,6 +12,7 @@ usage: ./run.sh [demo] [OPTION...]         two peers on this machine share a wor
        ./run.sh peer [OPTION...]           one peer; ./run.sh peer --help lists its options
        ./run.sh bench [OPTION...]          one scene, measured; ./run.sh bench --help
        ./run.sh bench accuracy [OPTION...] error against CPU time, as tables and plots
+       ./run.sh bench stress [OPTION...]   worlds that break engines, beside other engines
        ./run.sh spy [OPTION...]            lcm-spy, with our message types
        ./run.sh lcm-logger [OPTION...]     records a session; --help lists its options
        ./run.sh lcm-logplayer [OPTION...]  plays a record back; --help
