@@ -6,7 +6,6 @@
 namespace wells {
 namespace {
 
-constexpr double kNoise = 1e-14;   // of the fastest ball: closing slower than that is rounding
 constexpr int kMostSweeps = 1000;  // of the projected Gauss-Seidel, which ends when it is exact
 
 /// One round: all contacts that close, at once. Returns how many got an impulse.
@@ -68,7 +67,7 @@ std::int64_t resolveImpacts(double elasticity, double friction, std::span<Contac
     fastest = std::max(fastest, length(balls.velocity[c.a]));
     if (isBall(c.b)) fastest = std::max(fastest, length(balls.velocity[c.b]));
   }
-  const double noise = kNoise * fastest;
+  const double noise = kClosingNoise * fastest;
   std::int64_t impulses = 0;
   for (int round = 0; round < kMostReflections; ++round) {
     const std::int64_t given = reflect(elasticity, noise, contacts, balls, ledger);

@@ -1,7 +1,6 @@
 #include "contacts/ledger.h"
 
-#include <algorithm>
-#include <cmath>
+#include "contacts/support.h"
 
 namespace wells {
 namespace {
@@ -32,17 +31,20 @@ Rates ratesOf(const Ledger& ledger, const PathModel& model, const Path& path, co
   rates.pull = acceleration(*model.field, now.position, t) - k * now.velocity;
   rates.torque = cross(now.position - ledger.center, rates.pull);
   if (path.motion == Motion::Sliding) {
-    const Vec3 slip(now.velocity.x() + path.radius * now.spin.z(), 0,
-                    now.velocity.z() - path.radius * now.spin.x());
-    rates.friction = model.friction * rates.pull.y() * length(slip);  // pull.y < 0 presses
+    const double slip = length(slipOnGround(now, path.radius));
+    rates.friction = model.friction * rates.pull.y() * slip;  // pull.y < 0 presses
   }
   return rates;
 }
 
+// Per mass.
+double kineticOf(const BallState& now, double radius) {
+  return 0.5 *
+         (squaredLength(now.velocity) + kInertiaFactor * radius * radius * squaredLength(now.spin));
+}
+
 double energyOf(const PathModel& model, const BallState& now, double radius, double t) {
-  return 0.5 * (squaredLength(now.velocity) +
-                kInertiaFactor * radius * radius * squaredLength(now.spin)) +
-         potentialAt(*model.field, now.position, model.arena->center, t);
+  return kineticOf(now, radius) + potentialAt(*model.field, now.position, model.arena->center, t);
 }
 
 Vec3 angularOf(const Ledger& ledger, const BallState& now, double radius) {
@@ -113,12 +115,7 @@ void bookPath(const Ledger& ledger, const PathModel& model, const Path& path, do
 
 void bookHold(const Ledger& ledger, const BallState& before, const Path& held, double mass) {
   Books& books = *ledger.books;
-  const auto kinetic = [&](const BallState& ball) {
-    return 0.5 * mass *
-           (squaredLength(ball.velocity) +
-            kInertiaFactor * held.radius * held.radius * squaredLength(ball.spin));
-  };
-  books.friction += kinetic(held.state) - kinetic(before);
+  books.friction += mass * (kineticOf(held.state, held.radius) - kineticOf(before, held.radius));
   books.ground.linear += mass * (held.state.velocity - before.velocity);
   books.ground.angular +=
       mass * (angularOf(ledger, held.state, held.radius) - angularOf(ledger, before, held.radius));

@@ -8,6 +8,8 @@ namespace wells {
 namespace {
 
 constexpr double kSlipRatio = 1 + 1 / kInertiaFactor;  // du/dt over dv/dt of friction, 7/2
+constexpr double kRolling = 1 / (1 + kInertiaFactor);  // dv/dt of a rolling ball over the pull, 5/7
+constexpr double kHolding = 1 - kRolling;              // friction that rolling takes over the pull
 // A slip this small, of the speeds that it is made of, is over. (A slip that turns on its way to
 // zero is followed there in ever shorter stretches, which this ends.)
 constexpr double kSlipNoise = 1e-10;
@@ -46,9 +48,8 @@ Flat flat(const Vec3& a) {
   return {a.x(), a.z()};
 }
 
-/// u = v + w x (-r n).
 Flat slipOf(const BallState& ball, double radius) {
-  return {ball.velocity.x() + radius * ball.spin.z(), ball.velocity.z() - radius * ball.spin.x()};
+  return flat(slipOnGround(ball, radius));
 }
 
 /// The spin that makes the slip `slip`; that about the normal stays.
@@ -78,7 +79,7 @@ Load loadOn(const PathModel& model, const BallState& ball, double t) {
 }
 
 bool canRoll(const PathModel& model, const Load& load) {
-  return (1 - 1 / (1 + kInertiaFactor)) * length(load.pull) <= model.friction * load.pressing;
+  return kHolding * length(load.pull) <= model.friction * load.pressing;
 }
 
 struct Held {
@@ -130,8 +131,7 @@ class Rates {
 
   Rate operator()(const Held& now, double t) const {
     const Load load = loadAt(model_, height_, now.place, now.velocity, k_, t);
-    if (motion_ == Motion::Rolling)
-      return {now.velocity, (1 / (1 + kInertiaFactor)) * load.pull, {}};
+    if (motion_ == Motion::Rolling) return {now.velocity, kRolling * load.pull, {}};
     const Flat friction = (-frictionOnSlip(load) / kSlipRatio) * direction(now.slip, load);
     return {now.velocity, load.pull + friction, load.pull + kSlipRatio * friction};
   }
@@ -213,13 +213,17 @@ double continuation(const PathModel& model, const Path& path, Flat firstSlip, do
   const Load load = loadOn(model, now, t);
   // Whichever is nearer to its end, in m/s^2 of the force that it lacks.
   if (path.motion == Motion::Rolling)
-    return std::min(load.pressing, model.friction * load.pressing -
-                                       (1 - 1 / (1 + kInertiaFactor)) * length(load.pull));
+    return std::min(load.pressing, model.friction * load.pressing - kHolding * length(load.pull));
   if (model.friction == 0) return load.pressing;
   return std::min(load.pressing, dot(slipOf(now, path.radius), firstSlip));
 }
 
 }  // namespace
+
+Vec3 slipOnGround(const BallState& ball, double radius) {
+  return {ball.velocity.x() + radius * ball.spin.z(), 0,
+          ball.velocity.z() - radius * ball.spin.x()};
+}
 
 bool isHeldByGround(const PathModel& model, const Path& path) {
   const BallState& ball = path.state;

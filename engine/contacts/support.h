@@ -14,6 +14,9 @@
 
 namespace wells {
 
+/// u = v + w x (-r n), m/s: how fast the contact point of a ball on the ground slips.
+Vec3 slipOnGround(const BallState& ball, double radius);
+
 /// True where the ball of a flying path touches the ground at path.start, neither leaves nor
 /// approaches it, and is pressed to it.
 bool isHeldByGround(const PathModel& model, const Path& path);

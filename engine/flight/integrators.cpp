@@ -1,12 +1,7 @@
 #include "flight/integrators.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <stdexcept>
-#include <vector>
-
 #include "flight/methods.h"
+#include "math/find_by_name.h"
 
 namespace wells {
 namespace {
@@ -28,12 +23,7 @@ std::span<const Integrator> integrators() {
 }
 
 const Integrator& findIntegrator(std::string_view name) {
-  for (const Integrator& integrator : kIntegrators)
-    if (integrator.name == name) return integrator;
-  std::vector<std::string_view> names;
-  for (const Integrator& integrator : kIntegrators) names.push_back(integrator.name);
-  throw std::invalid_argument(
-      fmt::format("integrator '{}' is unknown; allowed: {}", name, fmt::join(names, ", ")));
+  return findByName(kIntegrators, &Integrator::name, "integrator", name);
 }
 
 }  // namespace wells

@@ -1,12 +1,11 @@
 #include "scenes/catalogue.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <stdexcept>
 #include <string>
-#include <vector>
 
+#include "math/find_by_name.h"
 #include "scenes/crowds.h"
 #include "scenes/ground_scenes.h"
 #include "scenes/impact_scenes.h"
@@ -66,12 +65,7 @@ std::span<const Scene> scenes() {
 }
 
 const Scene& findScene(std::string_view name) {
-  for (const Scene& scene : kScenes)
-    if (scene.name == name) return scene;
-  std::vector<std::string_view> names;
-  for (const Scene& scene : kScenes) names.push_back(scene.name);
-  throw std::invalid_argument(
-      fmt::format("scene '{}' is unknown; allowed: {}", name, fmt::join(names, ", ")));
+  return findByName(kScenes, &Scene::name, "scene", name);
 }
 
 World makeScene(const Scene& scene, std::size_t balls, std::uint64_t seed) {

@@ -1,11 +1,9 @@
 #include "scenes/exact_answers.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
+
+#include "math/find_by_name.h"
 
 namespace wells {
 
@@ -107,13 +105,7 @@ std::span<const AccuracyCase> accuracyCases() {
 }
 
 const AccuracyCase& findAccuracyCase(std::string_view scene) {
-  std::vector<std::string_view> names;
-  for (const AccuracyCase& answer : accuracyCases()) {
-    if (answer.scene == scene) return answer;
-    names.push_back(answer.scene);
-  }
-  throw std::invalid_argument(
-      fmt::format("case '{}' is unknown; allowed: {}", scene, fmt::join(names, ", ")));
+  return findByName(accuracyCases(), &AccuracyCase::scene, "case", scene);
 }
 
 double positionError(const AccuracyCase& answer, const World& world) {

@@ -1,10 +1,6 @@
 #include "scenes/stress_cases.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <stdexcept>
-#include <vector>
+#include "math/find_by_name.h"
 
 namespace wells {
 namespace {
@@ -128,12 +124,7 @@ std::span<const StressCase> stressCases() {
 }
 
 const StressCase& findStressCase(std::string_view name) {
-  for (const StressCase& stress : kCases)
-    if (stress.name == name) return stress;
-  std::vector<std::string_view> names;
-  for (const StressCase& stress : kCases) names.push_back(stress.name);
-  throw std::invalid_argument(
-      fmt::format("stress case '{}' is unknown; allowed: {}", name, fmt::join(names, ", ")));
+  return findByName(kCases, &StressCase::name, "stress case", name);
 }
 
 void setDt(const StressCase& stress, const World& start, World& world) {

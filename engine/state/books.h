@@ -21,7 +21,8 @@ struct ImpulseBook {
 
 struct Books {
   // J, added to the balls; < 0: taken from them.
-  // Contacts and friction together never add.
+  // Contacts, and contacts and friction together, add nothing beyond rounding, unless substeps are
+  // too few for the world (see tests/stress).
   double contacts = 0;  // normal impulses, and positions shifted by lasting ones: restitution
   double friction = 0;  // tangent impulses, and sliding
   double drag = 0;      // never > 0

@@ -5,29 +5,20 @@
 namespace wells {
 
 BookKeeper::Sums BookKeeper::sumsOf(const World& world, const Field& field, double t) {
-  const Balls& balls = world.balls;
-  const Vec3& center = world.arena.center;
   Sums sums;
-  for (std::size_t i = 0; i < balls.size(); ++i) {
-    if (!isFinite(balls.state(i))) continue;
+  for (std::size_t i = 0; i < world.balls.size(); ++i) {
+    if (!isFinite(world.balls.state(i))) continue;
     ++sums.balls;
-    const double mass = balls.mass[i];
-    const double inertia = kInertiaFactor * mass * balls.radius[i] * balls.radius[i];
-    const Vec3 momentum = mass * balls.velocity[i];
-    sums.energy +=
-        0.5 * (dot(momentum, balls.velocity[i]) + inertia * squaredLength(balls.spin[i])) +
-        mass * potentialAt(field, balls.position[i], center, t);
-    sums.momentum.linear += momentum;
-    sums.momentum.angular += cross(balls.position[i] - center, momentum) + inertia * balls.spin[i];
+    addMechanics(world, field, t, i, sums);
   }
   return sums;
 }
 
 Books BookKeeper::unbooked(const Sums& start, const Sums& end, const Books& step) {
   Books rest;
-  rest.outside = end.energy - start.energy - step.energy();
-  rest.changes.linear = end.momentum.linear - start.momentum.linear - step.impulse();
-  rest.changes.angular = end.momentum.angular - start.momentum.angular - step.angularImpulse();
+  rest.outside = end.energy() - start.energy() - step.energy();
+  rest.changes.linear = end.momentum - start.momentum - step.impulse();
+  rest.changes.angular = end.angularMomentum - start.angularMomentum - step.angularImpulse();
   return rest;
 }
 
@@ -38,10 +29,10 @@ void BookKeeper::beginStep(const World& world, const Field& field) {
   if (!hasStepped_) return;
   // In the old field, so that a change of state and a change of field do not mix.
   const Sums before = sumsOf(world, lastField_, lastDt_);
-  between_.outside = before.energy - last_.energy;
-  between_.wells = start_.energy - before.energy;
-  between_.changes.linear = before.momentum.linear - last_.momentum.linear;
-  between_.changes.angular = before.momentum.angular - last_.momentum.angular;
+  between_.outside = before.energy() - last_.energy();
+  between_.wells = start_.energy() - before.energy();
+  between_.changes.linear = before.momentum - last_.momentum;
+  between_.changes.angular = before.angularMomentum - last_.angularMomentum;
 }
 
 void BookKeeper::endStep(const World& world, const Field& field, const Books& step) {

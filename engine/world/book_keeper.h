@@ -4,6 +4,7 @@
 #include "forces/field.h"
 #include "state/books.h"
 #include "state/world.h"
+#include "world/measures.h"
 
 namespace wells {
 
@@ -22,11 +23,9 @@ class BookKeeper {
   void endStep(const World& world, const Field& field, const Books& step);
 
  private:
-  /// Energy (J), momentum and angular momentum of all balls whose states are finite.
-  struct Sums {
+  /// Of all balls whose states are finite.
+  struct Sums : Mechanics {
     std::int64_t balls = 0;
-    double energy = 0;
-    ImpulseBook momentum;
   };
   /// What a step did to balls that nobody books: ghosts that drift, and balls whose state stopped
   /// being finite.

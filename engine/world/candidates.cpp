@@ -11,10 +11,11 @@ constexpr double kLeaningGap = 0.05;  // of the sum of radii
 
 }  // namespace
 
-void Candidates::find(const World& world, std::span<const double> reach) {
+void Candidates::find(const World& world, std::span<const double> reach,
+                      std::vector<Contact>& balls, std::vector<Contact>& arena) {
   broadphase_.update(world, reach);
-  findBalls(world, reach);
-  findArena(world, reach);
+  findBalls(world, reach, balls);
+  findArena(world, reach, arena);
 }
 
 std::int64_t Candidates::pairs() const {
@@ -22,9 +23,10 @@ std::int64_t Candidates::pairs() const {
                                    broadphase_.nearGround().size() + broadphase_.nearWall().size());
 }
 
-void Candidates::findBalls(const World& world, std::span<const double> reach) {
+void Candidates::findBalls(const World& world, std::span<const double> reach,
+                           std::vector<Contact>& contacts) {
   const Balls& balls = world.balls;
-  balls_.clear();
+  contacts.clear();
   sorted_.clear();
   isLeaning_.assign(balls.size(), 0);
   for (const BallPair& pair : broadphase_.ballPairs()) {
@@ -41,26 +43,27 @@ void Candidates::findBalls(const World& world, std::span<const double> reach) {
   }
   std::sort(sorted_.begin(), sorted_.end());
   for (const std::uint64_t pair : sorted_)
-    balls_.push_back(
+    contacts.push_back(
         {.a = static_cast<std::uint32_t>(pair >> 32), .b = static_cast<std::uint32_t>(pair)});
 }
 
-void Candidates::findArena(const World& world, std::span<const double> reach) {
-  arena_.clear();
+void Candidates::findArena(const World& world, std::span<const double> reach,
+                           std::vector<Contact>& contacts) {
+  contacts.clear();
   const auto collect = [&](const std::vector<std::uint32_t>& near, std::uint32_t partner) {
     for (const std::uint32_t i : near)
       if (mayTouchArena(world.arena, world.balls.position[i], world.balls.radius[i], reach[i],
                         partner))
-        arena_.push_back({.a = i, .b = partner});
+        contacts.push_back({.a = i, .b = partner});
   };
   collect(broadphase_.nearWall(), kWall);
   collect(broadphase_.nearGround(), kGround);
-  std::sort(arena_.begin(), arena_.end(), isBefore);
+  std::sort(contacts.begin(), contacts.end(), isBefore);
   // A ball near two pieces of the wall stands twice.
-  arena_.erase(
-      std::unique(arena_.begin(), arena_.end(),
+  contacts.erase(
+      std::unique(contacts.begin(), contacts.end(),
                   [](const Contact& x, const Contact& y) { return x.a == y.a && x.b == y.b; }),
-      arena_.end());
+      contacts.end());
 }
 
 }  // namespace wells

@@ -14,14 +14,12 @@ namespace wells {
 
 class Candidates {
  public:
-  /// reach[i] (m) bounds how far ball i moves in the step; NaN: the ball is in no pair.
-  void find(const World& world, std::span<const double> reach);
+  /// Lists the contacts between balls and those with the arena, each by (a, b). reach[i] (m) bounds
+  /// how far ball i moves in the step; NaN: the ball is in no pair.
+  void find(const World& world, std::span<const double> reach, std::vector<Contact>& balls,
+            std::vector<Contact>& arena);
 
-  /// Of the last find(), by (a, b).
-  std::vector<Contact>& balls() { return balls_; }
-  std::vector<Contact>& arena() { return arena_; }
-
-  /// Pairs of the broadphase.
+  /// Of the last find(): pairs of the broadphase.
   std::int64_t pairs() const;
 
   /// By ball, 1 for ghosts that touch ghosts: a contact between other peers' balls is theirs to
@@ -29,12 +27,10 @@ class Candidates {
   std::span<const std::uint8_t> isLeaning() const { return isLeaning_; }
 
  private:
-  void findBalls(const World& world, std::span<const double> reach);
-  void findArena(const World& world, std::span<const double> reach);
+  void findBalls(const World& world, std::span<const double> reach, std::vector<Contact>& contacts);
+  void findArena(const World& world, std::span<const double> reach, std::vector<Contact>& contacts);
 
   Broadphase broadphase_;
-  std::vector<Contact> balls_;
-  std::vector<Contact> arena_;
   std::vector<std::uint64_t> sorted_;  // a in the upper half, b in the lower
   std::vector<std::uint8_t> isLeaning_;
 };

@@ -3,32 +3,44 @@
 namespace wells {
 namespace {
 
-void copy(const std::vector<Contact>& contacts, std::vector<StepperMemory::Contact>& kept) {
-  kept.clear();
+std::vector<StepperMemory::Contact> saved(const std::vector<Contact>& contacts) {
+  std::vector<StepperMemory::Contact> list;
+  list.reserve(contacts.size());
   for (const Contact& c : contacts)
-    if (std::isfinite(c.normalImpulse) && isFinite(c.tangentImpulse))
-      kept.push_back({c.a, c.b, c.impact, c.normalImpulse, c.tangentImpulse});
+    list.push_back({c.a, c.b, c.impact, c.normalImpulse, c.tangentImpulse});
+  return list;
+}
+
+std::vector<Contact> restored(const std::vector<StepperMemory::Contact>& list) {
+  std::vector<Contact> contacts;
+  contacts.reserve(list.size());
+  for (const StepperMemory::Contact& c : list)
+    contacts.push_back({.a = c.a,
+                        .b = c.b,
+                        .impact = c.impact,
+                        .normalImpulse = c.normalImpulse,
+                        .tangentImpulse = c.tangentImpulse});
+  return contacts;
 }
 
 }  // namespace
 
-void ContactMemory::keep(const std::vector<Contact>& balls, const std::vector<Contact>& arena,
-                         double substep) {
-  copy(balls, balls_);
-  copy(arena, arena_);
+void ContactMemory::keep(std::vector<Contact>& balls, std::vector<Contact>& arena, double substep) {
+  std::swap(balls_, balls);
+  std::swap(arena_, arena);
   substep_ = substep;
 }
 
 void ContactMemory::save(StepperMemory& memory) const {
   memory.substep = substep_;
-  memory.ballContacts = balls_;
-  memory.arenaContacts = arena_;
+  memory.ballContacts = saved(balls_);
+  memory.arenaContacts = saved(arena_);
 }
 
 void ContactMemory::restore(const StepperMemory& memory) {
   substep_ = memory.substep;
-  balls_ = memory.ballContacts;
-  arena_ = memory.arenaContacts;
+  balls_ = restored(memory.ballContacts);
+  arena_ = restored(memory.arenaContacts);
 }
 
 }  // namespace wells

@@ -1,7 +1,7 @@
 // The impulses that contacts ended a step with, for the next step to start from.
 #pragma once
 
-#include <cstddef>
+#include <cmath>
 #include <vector>
 
 #include "contacts/contact.h"
@@ -13,8 +13,9 @@ class ContactMemory {
  public:
   bool isEmpty() const { return substep_ == 0; }
 
-  /// Keeps the contacts of a step that ended; substep: s, in which their impulses arose.
-  void keep(const std::vector<Contact>& balls, const std::vector<Contact>& arena, double substep);
+  /// Takes the contacts of a step that ended (the lists hold anything afterwards); substep: s, in
+  /// which their impulses arose.
+  void keep(std::vector<Contact>& balls, std::vector<Contact>& arena, double substep);
 
   /// Gives the contacts of a step that begins, with substeps of `substep` s, the impulses that they
   /// had; what rests needs the same force, so an impulse in proportion. Calls appeared(contact) for
@@ -31,26 +32,29 @@ class ContactMemory {
   void restore(const StepperMemory& memory);
 
  private:
-  using Kept = StepperMemory::Contact;
-
   template <class Appeared>
-  static void take(const std::vector<Kept>& old, double scale, std::vector<Contact>& contacts,
+  static void take(const std::vector<Contact>& old, double scale, std::vector<Contact>& contacts,
                    Appeared appeared) {
-    std::size_t match = 0;
+    auto match = old.begin();
     for (Contact& c : contacts) {
-      while (match < old.size() && isBefore({.a = old[match].a, .b = old[match].b}, c)) ++match;
-      if (match == old.size() || old[match].a != c.a || old[match].b != c.b) {
+      while (match != old.end() && isBefore(*match, c)) ++match;
+      if (match == old.end() || isBefore(c, *match) || !isFiniteImpulse(*match)) {
         appeared(c);
         continue;
       }
-      c.impact = old[match].impact;
-      c.normalImpulse = scale * old[match].normalImpulse;
-      c.tangentImpulse = scale * old[match].tangentImpulse;
+      c.impact = match->impact;
+      c.normalImpulse = scale * match->normalImpulse;
+      c.tangentImpulse = scale * match->tangentImpulse;
     }
   }
 
-  std::vector<Kept> balls_;
-  std::vector<Kept> arena_;
+  /// Not so beside a ball whose state stopped being finite.
+  static bool isFiniteImpulse(const Contact& c) {
+    return std::isfinite(c.normalImpulse) && isFinite(c.tangentImpulse);
+  }
+
+  std::vector<Contact> balls_;
+  std::vector<Contact> arena_;
   double substep_ = 0;  // s; 0: nothing is kept
 };
 

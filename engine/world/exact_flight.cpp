@@ -227,6 +227,7 @@ bool ExactFlight::isOutdated(std::span<const Contact> pairs, const Event& event)
 // The event's pair, and whatever touches one of its balls at that time, and so on.
 void ExactFlight::gatherCluster(const StepInput& in, std::span<const Contact> pairs,
                                 const Event& event, Balls& balls) {
+  const Arena& arena = *in.model.arena;
   cluster_.clear();
   clusterBalls_.clear();
   const auto isHere = [&](std::uint32_t i) { return isInCluster_[i] != 0; };
@@ -241,7 +242,7 @@ void ExactFlight::gatherCluster(const StepInput& in, std::span<const Contact> pa
     cluster_.push_back({.a = pairs[p].a, .b = pairs[p].b});
     bring(pairs[p].a);
     bring(pairs[p].b);
-    touch(*in.model.arena, balls, cluster_.back());
+    touch(arena, balls, cluster_.back());
   };
   include(event.pair);
   for (std::size_t n = 0; n < clusterBalls_.size(); ++n) {
@@ -253,8 +254,7 @@ void ExactFlight::gatherCluster(const StepInput& in, std::span<const Contact> pa
       if (isBall(other) && !isHere(other))
         balls.setState(other, stateAt(in.model, path_[other], event.time));
       Contact now{.a = pairs[p].a, .b = pairs[p].b};
-      touch(*in.model.arena, balls, now);
-      const Arena& arena = *in.model.arena;
+      touch(arena, balls, now);
       const double size = length(balls.position[i]) + length(arena.center) + arena.radius;
       if (now.gap <= kTouchingGap * size) include(p);
     }

@@ -6,24 +6,10 @@
 #include <numeric>
 #include <vector>
 
-#include "forces/field.h"
 #include "math/hash.h"
 
 namespace wells {
 namespace {
-
-/// Kinetic and potential energy, momentum and angular momentum of one ball.
-void addMechanics(const World& world, const Field& field, std::uint32_t i, Measures& sum) {
-  const Balls& balls = world.balls;
-  const double mass = balls.mass[i];
-  const Vec3& v = balls.velocity[i];
-  const Vec3 p = mass * v;
-  const double inertia = kInertiaFactor * mass * balls.radius[i] * balls.radius[i];
-  sum.kineticEnergy += 0.5 * (dot(p, v) + inertia * squaredLength(balls.spin[i]));
-  sum.potentialEnergy += mass * potential(field, balls.position[i], world.arena.center);
-  sum.momentum += p;
-  sum.angularMomentum += cross(balls.position[i] - world.arena.center, p) + inertia * balls.spin[i];
-}
 
 void addArenaOverlaps(const World& world, std::uint32_t i, Measures& sum) {
   const Vec3 d = world.balls.position[i] - world.arena.center;
@@ -61,6 +47,18 @@ void addBallOverlaps(const Balls& balls, std::vector<std::uint32_t> sorted, Meas
 
 }  // namespace
 
+void addMechanics(const World& world, const Field& field, double t, std::size_t i, Mechanics& sum) {
+  const Balls& balls = world.balls;
+  const double mass = balls.mass[i];
+  const Vec3& v = balls.velocity[i];
+  const Vec3 p = mass * v;
+  const double inertia = kInertiaFactor * mass * balls.radius[i] * balls.radius[i];
+  sum.kineticEnergy += 0.5 * (dot(p, v) + inertia * squaredLength(balls.spin[i]));
+  sum.potentialEnergy += mass * potentialAt(field, balls.position[i], world.arena.center, t);
+  sum.momentum += p;
+  sum.angularMomentum += cross(balls.position[i] - world.arena.center, p) + inertia * balls.spin[i];
+}
+
 double Measures::worstOverlap() const {
   return std::max({ballOverlap, groundOverlap, wallOverlap});
 }
@@ -76,7 +74,7 @@ Measures measure(const World& world, std::span<const std::uint32_t> balls) {
       continue;
     }
     finite.push_back(i);
-    addMechanics(world, field, i, sum);
+    addMechanics(world, field, 0, i, sum);
     addArenaOverlaps(world, i, sum);
   }
   addBallOverlaps(world.balls, std::move(finite), sum);

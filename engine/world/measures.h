@@ -5,26 +5,35 @@
 #include <span>
 #include <string>
 
+#include "forces/field.h"
 #include "state/world.h"
 
 namespace wells {
 
-struct Measures {
+/// Sums over balls.
+struct Mechanics {
   double kineticEnergy = 0;             // J, translation and rotation
   double potentialEnergy = 0;           // J, of gravity (zero at the arena's centre) and wells
   Vec3 momentum = Vec3::Zero();         // kg m/s
   Vec3 angularMomentum = Vec3::Zero();  // kg m^2/s about the arena's centre, spin included
-  double ballOverlap = 0;               // m, worst ball-ball overlap; 0: none
-  double groundOverlap = 0;             // m, deepest ball below the ground
-  double wallOverlap = 0;               // m, furthest ball beyond the wall
-  std::int64_t ballContacts = 0;        // pairs of balls that overlap
-  std::int64_t groundContacts = 0;      // balls that reach below the ground
-  std::int64_t wallContacts = 0;        // balls that reach beyond the wall
-  std::int64_t escaped = 0;  // balls whose centre is below the ground or beyond the wall,
-                             // or whose state is not finite
 
   double energy() const { return kineticEnergy + potentialEnergy; }  // J
-  double worstOverlap() const;                                       // m, of the three
+};
+
+/// Adds ball i, in the field `t` seconds after the start of its step.
+void addMechanics(const World& world, const Field& field, double t, std::size_t i, Mechanics& sum);
+
+struct Measures : Mechanics {
+  double ballOverlap = 0;           // m, worst ball-ball overlap; 0: none
+  double groundOverlap = 0;         // m, deepest ball below the ground
+  double wallOverlap = 0;           // m, furthest ball beyond the wall
+  std::int64_t ballContacts = 0;    // pairs of balls that overlap
+  std::int64_t groundContacts = 0;  // balls that reach below the ground
+  std::int64_t wallContacts = 0;    // balls that reach beyond the wall
+  std::int64_t escaped = 0;         // balls whose centre is below the ground or beyond the wall,
+                                    // or whose state is not finite
+
+  double worstOverlap() const;  // m, of the three
 };
 
 /// Cost: O(N log N + pairs close along x). A ball whose state is not finite counts as escaped and

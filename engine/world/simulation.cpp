@@ -170,9 +170,7 @@ class Simulation : public Stepper {
   }
 
   void planContacts(const World& world) {
-    candidates_.find(world, reach_);
-    std::swap(plan_.ballContacts, candidates_.balls());
-    std::swap(plan_.arenaContacts, candidates_.arena());
+    candidates_.find(world, reach_, plan_.ballContacts, plan_.arenaContacts);
     counts_.candidatePairs = candidates_.pairs();
     counts_.contacts =
         static_cast<std::int64_t>(plan_.ballContacts.size() + plan_.arenaContacts.size());
