@@ -16,11 +16,10 @@ namespace wells {
 template <class Items, class Member>
 const auto& findByName(const Items& items, Member member, std::string_view kind,
                        std::string_view name) {
-  std::vector<std::string_view> names;
-  for (const auto& item : items) {
+  for (const auto& item : items)
     if (std::invoke(member, item) == name) return item;
-    names.push_back(std::invoke(member, item));
-  }
+  std::vector<std::string_view> names;  // only now: each step looks its integrator up
+  for (const auto& item : items) names.push_back(std::invoke(member, item));
   throw std::invalid_argument(
       fmt::format("{} '{}' is unknown; allowed: {}", kind, name, fmt::join(names, ", ")));
 }
