@@ -4,29 +4,13 @@
 #include <optional>
 #include <stdexcept>
 
+#include "network/codec_layout.h"
 #include "network/codec_ranges.h"
 
 namespace wells {
 namespace {
 
 using namespace gravity_wells;
-
-// The layout of each message: a fixed part that holds at most one count, then `count` elements of a
-// fixed size. All counts and lengths are big-endian int32, and stand behind the fingerprint (8
-// bytes), the header and the fields named here.
-constexpr std::size_t kFingerprintBytes = 8;
-constexpr std::size_t kHeaderBytes = 64;
-constexpr std::size_t kBallStateBytes = 104;
-constexpr std::size_t kKeyframeBytes = 40;
-
-struct Layout {
-  std::string_view channel;
-  std::size_t fixedBytes;   // of the whole message without its elements
-  std::size_t countOffset;  // 0: no elements
-  std::size_t elementBytes;
-  std::int32_t maxCount;  // the smallest is 1
-  std::variant<Message, Drop> (*decode)(std::span<const std::byte>, const DecodeLimits&);
-};
 
 template <class T>
 std::variant<Message, Drop> decodeAs(std::span<const std::byte> bytes, const DecodeLimits& limits) {
@@ -38,41 +22,22 @@ std::variant<Message, Drop> decodeAs(std::span<const std::byte> bytes, const Dec
   return Message(std::move(message));
 }
 
-constexpr std::size_t kFrontBytes = kFingerprintBytes + kHeaderBytes;
-
-constexpr Layout kLayouts[] = {
-    {"WELLS_HEARTBEAT", kFrontBytes + 8 + 8 + 4 + 1 + 4 + 4, 0, 0, 0, decodeAs<heartbeat_t>},
-    {"WELLS_WELL", kFrontBytes + 8 + 4, kFrontBytes + 8, kKeyframeBytes, kMaxKeyframesInMessage,
-     decodeAs<wells_t>},
-    {"WELLS_BALLS", kFrontBytes + 8 + 4, kFrontBytes + 8, kBallStateBytes, kMaxBallsInMessage,
-     decodeAs<ball_states_t>},
-    {"WELLS_OFFERS", kFrontBytes + 4 + 8 + 8 + 4, kFrontBytes + 4 + 8 + 8, kBallStateBytes,
-     kMaxBallsInMessage, decodeAs<offers_t>},
-    // The length of a string counts the zero byte that ends it.
-    {"WELLS_CONFIG", kFrontBytes + 8 + 4, kFrontBytes + 8, 1,
-     static_cast<std::int32_t>(kMaxCanonicalBytes) + 1, decodeAs<world_config_t>},
-    {"WELLS_STATISTICS", kFrontBytes + 10 * 8 + 3 * 4 + 3 * 8 + 8 + 5 * 8, 0, 0, 0,
-     decodeAs<statistics_t>},
+struct Channel {
+  std::string_view name;
+  void (*walk)(MessageWalk&);
+  std::variant<Message, Drop> (*decode)(std::span<const std::byte>, const DecodeLimits&);
 };
 
-std::int32_t readCount(std::span<const std::byte> bytes, std::size_t offset) {
-  std::uint32_t count = 0;
-  for (std::size_t i = 0; i < 4; ++i)
-    count = (count << 8) | std::to_integer<std::uint32_t>(bytes[offset + i]);
-  return static_cast<std::int32_t>(count);
-}
-
-std::optional<Drop> checkSize(const Layout& layout, std::span<const std::byte> bytes) {
-  if (bytes.size() > kMaxMessageBytes || bytes.size() < layout.fixedBytes) return Drop::WrongSize;
-  std::size_t expected = layout.fixedBytes;
-  if (layout.countOffset > 0) {
-    const std::int32_t count = readCount(bytes, layout.countOffset);
-    if (count < 1 || count > layout.maxCount) return Drop::BadCount;
-    expected += static_cast<std::size_t>(count) * layout.elementBytes;
-  }
-  if (bytes.size() != expected) return Drop::WrongSize;
-  return std::nullopt;
-}
+constexpr Channel kChannels[] = {
+    {"WELLS_HEARTBEAT", walkHeartbeat, decodeAs<heartbeat_t>},
+    {"WELLS_WELL", walkWells, decodeAs<wells_t>},
+    {"WELLS_BALLS", walkBallStates, decodeAs<ball_states_t>},
+    {"WELLS_OFFERS", walkOffers, decodeAs<offers_t>},
+    {"WELLS_CONFIG", walkWorldConfig, decodeAs<world_config_t>},
+    {"WELLS_STATISTICS", walkStatistics, decodeAs<statistics_t>},
+    {"WELLS_SETTINGS", walkSettings, decodeAs<settings_t>},
+    {"WELLS_REQUEST", walkSettings, decodeAs<request_t>},
+};
 
 }  // namespace
 
@@ -94,6 +59,12 @@ std::string_view channelOf(const world_config_t&) {
 std::string_view channelOf(const statistics_t&) {
   return "WELLS_STATISTICS";
 }
+std::string_view channelOf(const settings_t&) {
+  return "WELLS_SETTINGS";
+}
+std::string_view channelOf(const request_t&) {
+  return "WELLS_REQUEST";
+}
 
 std::span<const std::byte> encode(const Message& message, MessageBuffer& buffer) {
   const int size = std::visit(
@@ -108,10 +79,13 @@ std::span<const std::byte> encode(const Message& message, MessageBuffer& buffer)
 
 std::variant<Message, Drop> decode(std::string_view channel, std::span<const std::byte> bytes,
                                    const DecodeLimits& limits) {
-  for (const Layout& layout : kLayouts) {
-    if (layout.channel != channel) continue;
-    if (const auto drop = checkSize(layout, bytes)) return *drop;
-    return layout.decode(bytes, limits);
+  for (const Channel& known : kChannels) {
+    if (known.name != channel) continue;
+    if (bytes.size() > kMaxMessageBytes) return Drop::WrongSize;
+    MessageWalk walk(bytes);
+    known.walk(walk);
+    if (const auto drop = walk.end()) return *drop;
+    return known.decode(bytes, limits);
   }
   return Drop::UnknownChannel;
 }

@@ -10,6 +10,8 @@
 #include <gravity_wells/ball_states_t.hpp>
 #include <gravity_wells/heartbeat_t.hpp>
 #include <gravity_wells/offers_t.hpp>
+#include <gravity_wells/request_t.hpp>
+#include <gravity_wells/settings_t.hpp>
 #include <gravity_wells/statistics_t.hpp>
 #include <gravity_wells/wells_t.hpp>
 #include <gravity_wells/world_config_t.hpp>
@@ -22,13 +24,22 @@
 
 namespace wells {
 
-using Message = std::variant<gravity_wells::heartbeat_t, gravity_wells::wells_t,
-                             gravity_wells::ball_states_t, gravity_wells::offers_t,
-                             gravity_wells::world_config_t, gravity_wells::statistics_t>;
+using Message =
+    std::variant<gravity_wells::heartbeat_t, gravity_wells::wells_t, gravity_wells::ball_states_t,
+                 gravity_wells::offers_t, gravity_wells::world_config_t,
+                 gravity_wells::statistics_t, gravity_wells::settings_t, gravity_wells::request_t>;
 
 inline constexpr int kMaxBallsInMessage = 12;
 inline constexpr int kMaxKeyframesInMessage = 24;
+inline constexpr int kMaxBucketsInMessage = 24;
+inline constexpr int kMaxSettingsInMessage = 4;
+inline constexpr int kMaxViewsInMessage = 16;
+inline constexpr int kMaxDropReasonsInMessage = 16;
 inline constexpr std::size_t kMaxCanonicalBytes = 1000;
+inline constexpr std::size_t kMaxDropReason = 24;     // bytes
+inline constexpr std::size_t kMaxSettingKey = 40;     // bytes
+inline constexpr std::size_t kMaxSettingValue = 120;  // bytes
+inline constexpr std::size_t kMaxSettingAuthor = 60;  // bytes
 
 /// The channel that a type is published on.
 std::string_view channelOf(const gravity_wells::heartbeat_t&);
@@ -37,6 +48,8 @@ std::string_view channelOf(const gravity_wells::ball_states_t&);
 std::string_view channelOf(const gravity_wells::offers_t&);
 std::string_view channelOf(const gravity_wells::world_config_t&);
 std::string_view channelOf(const gravity_wells::statistics_t&);
+std::string_view channelOf(const gravity_wells::settings_t&);
+std::string_view channelOf(const gravity_wells::request_t&);
 
 using MessageBuffer = std::array<std::byte, kMaxMessageBytes>;
 

@@ -12,5 +12,7 @@ bool isInRange(const gravity_wells::ball_states_t& message, const DecodeLimits& 
 bool isInRange(const gravity_wells::offers_t& message, const DecodeLimits& limits);
 bool isInRange(const gravity_wells::world_config_t& message, const DecodeLimits& limits);
 bool isInRange(const gravity_wells::statistics_t& message, const DecodeLimits& limits);
+bool isInRange(const gravity_wells::settings_t& message, const DecodeLimits& limits);
+bool isInRange(const gravity_wells::request_t& message, const DecodeLimits& limits);
 
 }  // namespace wells

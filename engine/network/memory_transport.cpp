@@ -41,6 +41,10 @@ void MemoryNetwork::setLink(int from, int to, MemoryLink link) {
   }
 }
 
+void MemoryNetwork::setCapacity(int endpoint, std::size_t messages) {
+  inboxes_.at(endpoint).capacity = messages;
+}
+
 int MemoryNetwork::open() {
   const int endpoint = nextEndpoint_++;
   inboxes_.try_emplace(endpoint);
@@ -59,7 +63,7 @@ void MemoryNetwork::publish(int from, std::string_view channel, std::span<const 
 }
 
 void MemoryNetwork::deliver(Inbox& inbox, const std::shared_ptr<const Message>& message) {
-  if (inbox.messages.size() >= kCapacity) {
+  if (inbox.messages.size() >= inbox.capacity) {
     ++inbox.dropped;
     return;
   }

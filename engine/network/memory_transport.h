@@ -34,7 +34,7 @@ class MemoryNetwork {
  public:
   /// Messages that may wait for one endpoint, under way or arrived; more are counted as dropped by
   /// it.
-  static constexpr std::size_t kCapacity = 100'000;
+  static constexpr std::size_t kCapacity = 100'000;  // unless setCapacity() says otherwise
 
   /// Throws std::invalid_argument when a probability is outside [0, 1] or a time is negative.
   explicit MemoryNetwork(std::uint64_t seed = 1, const MemoryFaults& faults = {});
@@ -44,6 +44,10 @@ class MemoryNetwork {
 
   /// One way, between endpoint numbers. A message already under way still arrives.
   void setLink(int from, int to, MemoryLink link);
+
+  /// Room for the messages of one endpoint, for a receive buffer that is too small. It holds for
+  /// what is published from now on.
+  void setCapacity(int endpoint, std::size_t messages);
 
   /// s; starts at 0.
   double now() const { return now_; }
@@ -61,6 +65,7 @@ class MemoryNetwork {
   // Ordered by arrival time; equal times in the order of sending, which a multimap keeps.
   struct Inbox {
     std::multimap<double, std::shared_ptr<const Message>> messages;
+    std::size_t capacity = kCapacity;
     std::int64_t dropped = 0;
   };
 

@@ -16,20 +16,6 @@ bool isMember(const Peer& peer, const Generation& generation) {
 
 }  // namespace
 
-std::string_view name(Phase phase) {
-  switch (phase) {
-    case Phase::Joining:
-      return "joining";
-    case Phase::Syncing:
-      return "syncing";
-    case Phase::Active:
-      return "active";
-    case Phase::Leaving:
-      return "leaving";
-  }
-  return "unknown";
-}
-
 void Peers::setGeneration(const Generation& generation, double now) {
   generation_ = generation;
   leases_.clear();

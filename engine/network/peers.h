@@ -23,18 +23,9 @@
 #include "network/sequence_window.h"
 #include "network/session_options.h"
 #include "ownership/leases.h"
+#include "ownership/phase.h"
 
 namespace wells {
-
-enum class Phase : std::uint8_t {
-  Joining,  // listening
-  Syncing,  // knows the generation, gathers states
-  Active,   // simulates, owns, may be offered balls
-  Leaving,  // said good-bye
-};
-
-/// For reports: "joining", ...
-std::string_view name(Phase phase);
 
 enum class WorldMatch : std::uint8_t { Same, Foreign };
 

@@ -82,7 +82,7 @@ void Session::afterStep(World& world, Times now) {
   fenceAfterStall(world, now);
   if (phase_ == Phase::Active && world.step != observedStep_) {
     extendOwnTrack(world.tracks, peer(), options_.well, world.step);
-    balls_.applyDue(world, self_);
+    balls_.applyDue(world, party());
     schedule_.observe(world);
     observedStep_ = world.step;
   }

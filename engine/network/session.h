@@ -134,6 +134,8 @@ class Session {
   std::optional<Drop> hear(World& world, const gravity_wells::offers_t& m, Times now);
   std::optional<Drop> hear(World& world, const gravity_wells::world_config_t& m, Times now);
   std::optional<Drop> hear(World& world, const gravity_wells::statistics_t& m, Times now);
+  std::optional<Drop> hear(World& world, const gravity_wells::settings_t& m, Times now);
+  std::optional<Drop> hear(World& world, const gravity_wells::request_t& m, Times now);
   std::optional<Drop> checkMember(const gravity_wells::peer_header_t& header, Times now);
   std::optional<Drop> settleId(World& world, const Peer& other, Times now);
   void giveUpId(World& world, Times now);
@@ -152,6 +154,7 @@ class Session {
   void sendOffers(const World& world, Times now);
 
   // session.cpp
+  Party party() const { return {self_, phase_}; }
   bool isStopped(const World& world) const { return world.step >= stopAt_; }
   bool isPaused(const World& world) const;
   std::vector<PeerPace> paces(double now) const;

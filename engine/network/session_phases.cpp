@@ -78,7 +78,7 @@ void Session::synchronise(World& world, Times now) {
          " balls, of which " + std::to_string(balls_.missing()) +
          " have not been heard of and are where they were first");
     activate(world, now);
-    balls_.adoptAll(world, self_, peers_.leases(), now.monotonic);
+    balls_.adoptAll(world, party(), peers_.leases(), now.monotonic);
   }
 }
 
@@ -120,7 +120,7 @@ void Session::act(World& world, Times now) {
     return;
   }
   forgetWells(world, now);
-  balls_.applyDue(world, self_);
+  balls_.applyDue(world, party());
   balls_.closeOffers();
   const bool looksForOrphans = now.monotonic >= nextAdoption_;
   const bool looksForNearer = world.step >= nextOffers_ && !isStopped(world);
@@ -128,13 +128,14 @@ void Session::act(World& world, Times now) {
 
   const std::vector<PeerWell> wells = livingWells(world, now);
   if (looksForOrphans) {
-    balls_.adoptOrphans(world, self_, peers_.leases(), wells, options_.lease, now.monotonic);
+    balls_.adoptOrphans(world, party(), peers_.leases(), wells, options_.lease, now.monotonic);
     nextAdoption_ = now.monotonic + kAdoptionInterval;
   }
   if (looksForNearer) {
-    std::vector<Incarnation> receivers;
-    for (const Peer* peer : peers_.livingActive(now.monotonic)) receivers.push_back(peer->who);
-    balls_.offerNearer(world, self_, wells, receivers, options_.handover, now.monotonic);
+    std::vector<Party> receivers;
+    for (const Peer* peer : peers_.livingActive(now.monotonic))
+      receivers.push_back({peer->who, peer->phase});
+    balls_.offerNearer(world, party(), wells, receivers, options_.handover, now.monotonic);
     nextOffers_ = world.step + kOfferInterval;
   }
 }
@@ -172,7 +173,7 @@ void Session::fence(World& world, PeerId newId, Times now) {
   }
   // There was nobody who could have taken the balls.
   showWell(world);
-  balls_.adoptAll(world, self_, peers_.leases(), now.monotonic);
+  balls_.adoptAll(world, party(), peers_.leases(), now.monotonic);
 }
 
 void Session::takeIncarnation(PeerId peer, Times now) {

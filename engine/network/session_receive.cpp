@@ -98,7 +98,7 @@ std::optional<Drop> Session::checkMember(const gravity_wells::peer_header_t& hea
 
 std::optional<Drop> Session::hear(World& world, const gravity_wells::wells_t& m, Times now) {
   if (const auto drop = checkMember(m.header, now)) return drop;
-  learnTrack(world.tracks, PeerId{m.header.peer_id}, m);
+  learnTrack(world.tracks, PeerId{m.peer}, m);
   return std::nullopt;
 }
 
@@ -127,7 +127,7 @@ std::optional<Drop> Session::hear(World& world, const gravity_wells::offers_t& m
     if (news.version.epoch == 0) {
       drop = Drop::ImpossibleVersion;  // an offer always begins an epoch
     } else if (phase_ == Phase::Active) {
-      drop = balls_.hearOffer(world, news, self_, now.monotonic, options_.lease / 2);
+      drop = balls_.hearOffer(world, news, party(), now.monotonic, options_.lease / 2);
     } else {
       drop = balls_.gather(world, news, Standing::Named);
     }
@@ -165,6 +165,14 @@ void Session::noteClock(const gravity_wells::peer_header_t& header, Times now) {
   note("the wall clock of peer " + std::to_string(header.peer_id) + " is " +
        std::to_string(std::abs(ahead)) + " s " + (ahead > 0 ? "ahead of" : "behind") +
        " ours; it is ignored until both show the same time");
+}
+
+std::optional<Drop> Session::hear(World&, const gravity_wells::settings_t& m, Times now) {
+  return peers_.hear(m.header, now);
+}
+
+std::optional<Drop> Session::hear(World&, const gravity_wells::request_t&, Times) {
+  return std::nullopt;
 }
 
 std::optional<Drop> Session::hear(World&, const gravity_wells::statistics_t& m, Times now) {

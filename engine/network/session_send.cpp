@@ -73,6 +73,9 @@ void Session::sendHeartbeat(const World& world, Times now) {
   m.started = startedUs_;
   m.world_hash = options_.worldHash;
   m.phase = static_cast<std::int32_t>(phase_);
+  m.settings_digest = 0;
+  m.first_bucket = 0;
+  m.buckets = 0;
   m.paused = isPaused(world);
   m.lease_ms = static_cast<std::int32_t>(std::lround(options_.lease * 1000));
   m.balls_owned = static_cast<std::int32_t>(ballsOwnedHere());
@@ -101,7 +104,8 @@ void Session::sendStates(const World& world, const std::vector<std::uint32_t>& c
     m.step = world.step;
     for (std::size_t i = first; i < end; ++i) {
       const std::uint32_t ball = chosen[i];
-      m.balls.push_back(ballMessage(ball, balls_.publish(world, ball), world.balls.state(ball)));
+      m.balls.push_back(
+          ballMessage(ball, balls_.publish(world, ball, party()), world.balls.state(ball)));
     }
     m.count = static_cast<std::int32_t>(m.balls.size());
     send(m);
@@ -143,7 +147,7 @@ void Session::sendOffers(const World& world, Times now) {
 void Session::sendStatistics(const World& world, Times now) {
   const TransportCounts transport = transport_.counts();
   const BallCounts& balls = balls_.counts();
-  gravity_wells::statistics_t m;
+  gravity_wells::statistics_t m{};
   m.header = header(world, now);
   m.sim_time = world.time();
   m.simulation_rate = measures_.simulationRate;

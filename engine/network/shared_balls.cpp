@@ -13,9 +13,9 @@ SharedBalls::SharedBalls(const World& initial, Predictor predict)
       missing_(initial.balls.size()),
       ghosts_(initial.balls.size()) {}
 
-void SharedBalls::found(World& world, const Generation& generation, const Incarnation& self) {
+void SharedBalls::found(World& world, const Generation& generation, const Incarnation& founder) {
   for (std::size_t i = 0; i < records_.size(); ++i) {
-    records_[i] = wells::found(generation, self, world.step);
+    records_[i] = wells::found(generation, founder, world.step);
     setRole(world, i, Role::Owned);
   }
 }
@@ -80,14 +80,14 @@ std::optional<Drop> SharedBalls::hearState(World& world, const BallNews& news, d
   return std::nullopt;
 }
 
-std::optional<Drop> SharedBalls::hearOffer(World& world, const BallNews& news,
-                                           const Incarnation& self, double now, double patience) {
+std::optional<Drop> SharedBalls::hearOffer(World& world, const BallNews& news, const Party& self,
+                                           double now, double patience) {
   if (const auto drop = check(world, news)) return drop;
   const auto next = learnOffer(records_[news.ball], news.version);
   if (!next) return std::nullopt;
   records_[news.ball] = *next;
   setRole(world, news.ball, Role::Ghost);
-  if (news.version.owner != self)
+  if (news.version.owner != self.self)
     openOffers_.push_back({news.ball, news.version, news.state, now + patience});
   if (news.version.step > world.step) {
     early_[{news.version.step, news.ball}] = news;
@@ -95,19 +95,19 @@ std::optional<Drop> SharedBalls::hearOffer(World& world, const BallNews& news,
   }
   compareWithView(world, news, now);
   place(world, news.ball, news.state, news.version.step);
-  if (news.version.owner == self) take(world, news.ball, self);
+  takeBall(world, news.ball, self);
   return std::nullopt;
 }
 
-void SharedBalls::applyDue(World& world, const Incarnation& self) {
+void SharedBalls::applyDue(World& world, const Party& self) {
   while (!early_.empty() && early_.begin()->first.first <= world.step) {
     const BallNews news = early_.begin()->second;
     early_.erase(early_.begin());
     const Record& record = records_[news.ball];
     const bool isOvertaken = !sameTenure(record.version, news.version);
-    if (isOvertaken || owns(record, self)) continue;
+    if (isOvertaken || owns(record, self.self)) continue;
     place(world, news.ball, news.state, news.version.step);
-    if (news.version.owner == self) take(world, news.ball, self);
+    takeBall(world, news.ball, self);
   }
 }
 
@@ -116,8 +116,9 @@ void SharedBalls::place(World& world, std::size_t ball, const BallState& state, 
   world.balls.setState(ball, predict_(world, ball, state, from, world.step));
 }
 
-void SharedBalls::take(World& world, std::size_t ball, const Incarnation& self) {
-  records_[ball] = accept(records_[ball], self);
+void SharedBalls::takeBall(World& world, std::size_t ball, const Party& self) {
+  if (!mayTake(records_[ball], self)) return;
+  records_[ball] = take(records_[ball], self);
   setRole(world, ball, Role::Owned);
   ++counts_.handoversTaken;
 }
@@ -129,17 +130,17 @@ void SharedBalls::setRole(World& world, std::size_t ball, Role role) {
   watches_[ball] = {};
 }
 
-void SharedBalls::offerNearer(World& world, const Incarnation& self,
-                              std::span<const PeerWell> wells,
-                              std::span<const Incarnation> receivers, const HandoverRule& rule,
+void SharedBalls::offerNearer(World& world, const Party& self, std::span<const PeerWell> wells,
+                              std::span<const Party> receivers, const HandoverRule& rule,
                               double now) {
   for (std::size_t i = 0; i < records_.size(); ++i) {
-    if (!owns(records_[i], self)) continue;
-    const PeerId nearer = nearerPeer(world.balls.position[i], self.peer, wells, rule);
+    if (!owns(records_[i], self.self)) continue;
+    const PeerId nearer = nearerPeer(world.balls.position[i], self.self.peer, wells, rule);
     watches_[i] = watch(watches_[i], nearer, world.step);
     if (!isDue(watches_[i], world.step, rule)) continue;
-    const auto receiver = std::ranges::find(receivers, nearer, &Incarnation::peer);
-    if (receiver == receivers.end()) continue;
+    const auto receiver =
+        std::ranges::find(receivers, nearer, [](const Party& party) { return party.self.peer; });
+    if (receiver == receivers.end() || !mayOffer(records_[i], self, *receiver)) continue;
     records_[i] = offer(records_[i], self, *receiver, world.step);
     setRole(world, i, Role::Ghost);
     openOffers_.push_back({i, records_[i].version, world.balls.state(i), now});
@@ -147,10 +148,10 @@ void SharedBalls::offerNearer(World& world, const Incarnation& self,
   }
 }
 
-void SharedBalls::adoptOrphans(World& world, const Incarnation& self, Leases& leases,
+void SharedBalls::adoptOrphans(World& world, const Party& self, Leases& leases,
                                std::span<const PeerWell> wells, double lease, double now) {
   // Few owners, many balls: the lease of the last owner looked at is kept.
-  Incarnation owner = self;
+  Incarnation owner = self.self;
   std::optional<double> ended;
   for (std::size_t i = 0; i < records_.size(); ++i) {
     if (records_[i].version.owner != owner) {
@@ -158,28 +159,27 @@ void SharedBalls::adoptOrphans(World& world, const Incarnation& self, Leases& le
       leases.expect(owner, lease, now);
       ended = leases.endedAt(owner, now);
     }
-    if (owner == self || !ended) continue;
-    const std::size_t rank = adoptionRank(world.balls.position[i], self.peer, wells);
+    if (!mayAdopt(records_[i], self, ended ? Life::Ended : Life::Lasts)) continue;
+    const std::size_t rank = adoptionRank(world.balls.position[i], self.self.peer, wells);
     if (now >= *ended + adoptionWait(rank, wells.size(), lease)) adoptBall(world, i, self);
   }
 }
 
-void SharedBalls::adoptAll(World& world, const Incarnation& self, const Leases& leases,
-                           double now) {
+void SharedBalls::adoptAll(World& world, const Party& self, const Leases& leases, double now) {
   for (std::size_t i = 0; i < records_.size(); ++i) {
-    const Incarnation& owner = records_[i].version.owner;
-    if (owner != self && !leases.isLiving(owner, now)) adoptBall(world, i, self);
+    const bool lives = leases.isLiving(records_[i].version.owner, now);
+    if (mayAdopt(records_[i], self, lives ? Life::Lasts : Life::Ended)) adoptBall(world, i, self);
   }
 }
 
-void SharedBalls::adoptBall(World& world, std::size_t ball, const Incarnation& self) {
+void SharedBalls::adoptBall(World& world, std::size_t ball, const Party& self) {
   records_[ball] = adopt(records_[ball], self, world.step);
   setRole(world, ball, Role::Owned);
   ++counts_.adoptions;
 }
 
-Version SharedBalls::publish(const World& world, std::size_t ball) {
-  records_[ball] = wells::publish(records_[ball], world.step);
+Version SharedBalls::publish(const World& world, std::size_t ball, const Party& self) {
+  records_[ball] = wells::publish(records_[ball], self, world.step);
   return records_[ball].version;
 }
 

@@ -52,8 +52,8 @@ class SharedBalls {
 
   // Changes of the session as a whole.
 
-  /// `self` founds a generation and owns everything.
-  void found(World& world, const Generation& generation, const Incarnation& self);
+  /// `founder` founds a generation and owns everything.
+  void found(World& world, const Generation& generation, const Incarnation& founder);
 
   /// Starts over in another generation: initial states, records that know nothing.
   void enter(World& world, const Generation& generation);
@@ -85,29 +85,29 @@ class SharedBalls {
   /// While active: an offer, to us (`self`) or to somebody else. Offers to others are repeated from
   /// here, too, if their receiver is not heard for `patience` (s): the one who made the offer may
   /// be gone.
-  std::optional<Drop> hearOffer(World& world, const BallNews& news, const Incarnation& self,
-                                double now, double patience);
+  std::optional<Drop> hearOffer(World& world, const BallNews& news, const Party& self, double now,
+                                double patience);
 
   /// Applies what was heard early and holds at world.step. Call at every step.
-  void applyDue(World& world, const Incarnation& self);
+  void applyDue(World& world, const Party& self);
 
   // What this peer does.
 
-  /// Offers the balls for which another peer's well is nearer, by the rule. `receivers` holds the
-  /// incarnations of the peers whose wells these are.
-  void offerNearer(World& world, const Incarnation& self, std::span<const PeerWell> wells,
-                   std::span<const Incarnation> receivers, const HandoverRule& rule, double now);
+  /// Offers the balls for which another peer's well is nearer, by the rule. `receivers` are the
+  /// peers whose wells these are.
+  void offerNearer(World& world, const Party& self, std::span<const PeerWell> wells,
+                   std::span<const Party> receivers, const HandoverRule& rule, double now);
 
   /// Adopts the balls whose owner's lease has ended long enough ago. `wells` are those of the
   /// living, ours included; lease in s.
-  void adoptOrphans(World& world, const Incarnation& self, Leases& leases,
+  void adoptOrphans(World& world, const Party& self, Leases& leases,
                     std::span<const PeerWell> wells, double lease, double now);
 
   /// Adopts every ball whose owner is not alive, without waiting: nobody else is there.
-  void adoptAll(World& world, const Incarnation& self, const Leases& leases, double now);
+  void adoptAll(World& world, const Party& self, const Leases& leases, double now);
 
   /// Notes that the state at world.step is published, and returns its version.
-  Version publish(const World& world, std::size_t ball);
+  Version publish(const World& world, std::size_t ball, const Party& self);
 
   /// Keeps what is shown at world.step.
   void recordView(const World& world);
@@ -132,8 +132,8 @@ class SharedBalls {
   void setRole(World& world, std::size_t ball, Role role);
   /// Sets the state that holds at `step` <= world.step, brought to world.step.
   void place(World& world, std::size_t ball, const BallState& state, std::int64_t step);
-  void take(World& world, std::size_t ball, const Incarnation& self);
-  void adoptBall(World& world, std::size_t ball, const Incarnation& self);
+  void takeBall(World& world, std::size_t ball, const Party& self);
+  void adoptBall(World& world, std::size_t ball, const Party& self);
   void compareWithView(const World& world, const BallNews& news, double now);
 
   Predictor predict_;

@@ -50,6 +50,7 @@ void extendOwnTrack(Tracks& tracks, PeerId self, const OwnWell& well, std::int64
 gravity_wells::wells_t wellMessage(const Tracks& tracks, PeerId self) {
   const WellTrack& track = *std::ranges::find(tracks, self, &WellTrack::peer);
   gravity_wells::wells_t message;
+  message.peer = value(self);
   message.softening = track.softening;
   const auto& keys = track.keyframes;
   message.count =

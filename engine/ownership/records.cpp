@@ -23,37 +23,50 @@ std::optional<Record> learnOffer(const Record& record, const Version& version) {
   return Record{version, Standing::Named};
 }
 
-Record accept(const Record& record, [[maybe_unused]] const Incarnation& self) {
-  assert(record.version.owner == self);
+bool mayTake(const Record& record, const Party& party) {
+  return party.phase == Phase::Active && record.version.owner == party.self &&
+         record.standing == Standing::Named;
+}
+
+Record take(const Record& record, [[maybe_unused]] const Party& party) {
+  assert(mayTake(record, party));
   return {record.version, Standing::Heard};
 }
 
-Record offer(const Record& record, [[maybe_unused]] const Incarnation& self,
-             const Incarnation& receiver, std::int64_t step) {
-  assert(owns(record, self));
+bool mayOffer(const Record& record, const Party& party, const Party& receiver) {
+  return party.phase == Phase::Active && owns(record, party.self) &&
+         receiver.phase == Phase::Active && receiver.self.peer != party.self.peer;
+}
+
+Record offer(const Record& record, [[maybe_unused]] const Party& party, const Party& receiver,
+             std::int64_t step) {
+  assert(mayOffer(record, party, receiver));
   Record next{record.version, Standing::Named};
   ++next.version.epoch;
-  next.version.owner = receiver;
+  next.version.owner = receiver.self;
   next.version.step = step;
   return next;
 }
 
-Record decline(const Record& record, const Incarnation& self, const Incarnation& giver,
-               std::int64_t step) {
-  return offer(accept(record, self), self, giver, step);
+bool mayAdopt(const Record& record, const Party& party, Life owner) {
+  return party.phase == Phase::Active && record.version.owner != party.self && owner == Life::Ended;
 }
 
-Record adopt(const Record& record, const Incarnation& self, std::int64_t step) {
+Record adopt(const Record& record, const Party& party, std::int64_t step) {
   return {{.generation = record.version.generation,
            .term = record.version.term + 1,
-           .adopter = self,
-           .owner = self,
+           .adopter = party.self,
+           .owner = party.self,
            .step = step},
           Standing::Heard};
 }
 
-Record publish(const Record& record, std::int64_t step) {
-  assert(record.standing == Standing::Heard && step >= record.version.step);
+bool mayPublish(const Record& record, const Party& party) {
+  return party.phase == Phase::Active && owns(record, party.self);
+}
+
+Record publish(const Record& record, [[maybe_unused]] const Party& party, std::int64_t step) {
+  assert(mayPublish(record, party) && step >= record.version.step);
   Record next = record;
   next.version.step = step;
   return next;

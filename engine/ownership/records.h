@@ -7,9 +7,19 @@
 
 #include <optional>
 
+#include "ownership/phase.h"
 #include "ownership/version.h"
 
 namespace wells {
+
+/// A peer as far as it matters for what it may do with a record.
+struct Party {
+  Incarnation self{};
+  Phase phase = Phase::Joining;
+};
+
+/// What is known of the peer that a ball may be offered to, or adopted from.
+enum class Life : std::uint8_t { Lasts, Ended };
 
 /// Naming the next owner is giving up. From the offer until the named owner is heard publishing,
 /// nobody may be acting as owner; the offer is repeated until then.
@@ -42,26 +52,32 @@ std::optional<Record> learnState(const Record& record, const Version& version);
 /// An offer of `version` was heard, to whomever. Nothing when we know as much already.
 std::optional<Record> learnOffer(const Record& record, const Version& version);
 
-/// `self`, which the record names, takes the ball. Requires record.version.owner == self: an offer
-/// to another incarnation of the same peer must not be accepted.
-Record accept(const Record& record, const Incarnation& self);
+/// True when `party` may take the ball now: the record names this very incarnation, which is active
+/// and has not taken the ball yet. An offer to another incarnation of the same peer is not for it.
+bool mayTake(const Record& record, const Party& party);
 
-/// The owner `self` names `receiver` as the next one, with the state of `step`, and stops owning.
-/// Requires owns(record, self).
-Record offer(const Record& record, const Incarnation& self, const Incarnation& receiver,
-             std::int64_t step);
+/// Takes the ball. Requires mayTake.
+Record take(const Record& record, const Party& party);
 
-/// `self` was offered a ball that it does not want and offers it back to `giver`; there is no other
-/// withdrawal. Requires as accept.
-Record decline(const Record& record, const Incarnation& self, const Incarnation& giver,
-               std::int64_t step);
+/// True when `party` may offer the ball to `receiver`, another peer in this phase.
+bool mayOffer(const Record& record, const Party& party, const Party& receiver);
 
-/// `self` takes the ball of an owner that is gone, with the state that it predicted for `step`.
-Record adopt(const Record& record, const Incarnation& self, std::int64_t step);
+/// The owner names `receiver` as the next one, with the state of `step`, and stops owning. Requires
+/// mayOffer. There is no withdrawal: a receiver that does not want the ball offers it back.
+Record offer(const Record& record, const Party& party, const Party& receiver, std::int64_t step);
 
-/// The owner publishes the state of `step`. Requires owns(record, self) for some self and a step
-/// not before the record's.
-Record publish(const Record& record, std::int64_t step);
+/// True when `party` may adopt the ball from an owner of whom `owner` is known.
+bool mayAdopt(const Record& record, const Party& party, Life owner);
+
+/// `party` takes the ball of an owner that is gone, with the state that it predicted for `step`.
+/// Requires mayAdopt.
+Record adopt(const Record& record, const Party& party, std::int64_t step);
+
+/// True when `party` may publish the ball.
+bool mayPublish(const Record& record, const Party& party);
+
+/// The owner publishes the state of `step`, which is not before the record's. Requires mayPublish.
+Record publish(const Record& record, const Party& party, std::int64_t step);
 
 /// False for a version that no peer can have made: an adopter in the first term, none in a later
 /// one, or a term's first owner who is not its adopter.
