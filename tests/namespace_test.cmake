@@ -1,5 +1,5 @@
 # Registers a command with CTest that runs in a network namespace of its own (in_namespace.sh).
-#   wells_namespace_test(<name> loopback|isolated COMMAND <command>...)
+#   wells_namespace_test(<name> loopback|isolated|lan COMMAND <command>...)
 include_guard(GLOBAL)
 
 function(wells_namespace_test name kind)

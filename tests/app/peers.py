@@ -25,14 +25,15 @@ def run(*arguments, timeout=120, **options):
 
 
 class Peer:
-    """One process. Its files are peer-<id>.json and peer-<id>.csv in `folder`."""
+    """One process. Its files are peer-<id>.json and peer-<id>.csv in `folder`. `within` is put
+    before its command."""
 
-    def __init__(self, folder, peer_id, *arguments):
+    def __init__(self, folder, peer_id, *arguments, within=()):
         self.peer_id = peer_id
         self.report_file = folder / f"peer-{peer_id}.json"
         self.state_file = folder / f"peer-{peer_id}.csv"
         self.process = subprocess.Popen(
-            [PROGRAM, "peer", "--peer-id", str(peer_id), "--report", self.report_file,
+            [*within, PROGRAM, "peer", "--peer-id", str(peer_id), "--report", self.report_file,
              "--state-out", self.state_file, *map(str, arguments)],
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
 
