@@ -56,6 +56,20 @@ TEST(MemoryTransport, BoundsTheQueueOfAnEndpointThatDoesNotPoll) {
   EXPECT_EQ(drain(solo).size(), MemoryNetwork::kCapacity);
 }
 
+TEST(MemoryTransport, ASmallBufferLosesWhatComesWhileItIsFull) {
+  const auto network = std::make_shared<MemoryNetwork>();
+  MemoryTransport small(network), large(network);
+  network->setCapacity(small.endpoint(), 2);
+  for (const char* text : {"1", "2", "3"}) large.publish("WELLS_A", bytesOf(text));
+  EXPECT_EQ(drain(small), (Received{{"WELLS_A", "1"}, {"WELLS_A", "2"}}));
+  EXPECT_EQ(small.counts().droppedReceiving, 1);
+  network->setCapacity(small.endpoint(), MemoryNetwork::kCapacity);
+  for (const char* text : {"4", "5", "6"}) large.publish("WELLS_A", bytesOf(text));
+  EXPECT_EQ(drain(small).size(), 3u);
+  EXPECT_EQ(drain(large).size(), 6u);
+  EXPECT_EQ(large.counts().droppedReceiving, 0);
+}
+
 TEST(MemoryTransport, AMessageArrivesWhenItsDelayIsOver) {
   const auto network = std::make_shared<MemoryNetwork>(1, MemoryFaults{.delay = 0.5});
   MemoryTransport a(network);

@@ -1,0 +1,60 @@
+#include "simulation/contacts.h"
+
+#include <algorithm>
+
+#include "network/message_fields.h"
+
+namespace wells::simulation {
+
+Contacts::Heard* Contacts::find(const Incarnation& who) {
+  const auto place = std::ranges::find(heard_, who, &Heard::who);
+  return place == heard_.end() ? nullptr : &*place;
+}
+
+const Contacts::Heard* Contacts::find(const Incarnation& who) const {
+  return const_cast<Contacts*>(this)->find(who);
+}
+
+void Contacts::hear(const gravity_wells::heartbeat_t& heartbeat, const Generation& generation,
+                    double now) {
+  const auto& header = heartbeat.header;
+  const Incarnation who{PeerId{header.peer_id}, header.incarnation};
+  Heard* heard = find(who);
+  if (!heard) heard = &heard_.emplace_back(Heard{.who = who});
+  if (header.sequence <= heard->sequence) return;
+  if (heard->generation != generationOf(header)) heard->step = -1;
+  heard->generation = generationOf(header);
+  heard->phase = static_cast<Phase>(heartbeat.phase);
+  heard->isPaused = heartbeat.paused != 0;
+  hear(header, generation, now);
+}
+
+void Contacts::hear(const gravity_wells::peer_header_t& header, const Generation& generation,
+                    double now) {
+  Heard* heard = find({PeerId{header.peer_id}, header.incarnation});
+  // One that was overtaken, or played back, says nothing new.
+  if (!heard || header.sequence <= heard->sequence) return;
+  heard->sequence = header.sequence;
+  const bool isMember = generation.exists() && generationOf(header) == generation &&
+                        heard->generation == generation &&
+                        (heard->phase == Phase::Syncing || heard->phase == Phase::Active);
+  if (!isMember) return;
+  heard->asMember = now;
+  if (header.step <= heard->step && !heard->isPaused) return;
+  heard->step = header.step;
+  if (now - heard->renewed > kLongestGap * lease_) heard->since = now;
+  heard->renewed = now;
+}
+
+bool Contacts::isSteady(const Incarnation& who, double span, double now) const {
+  const Heard* heard = find(who);
+  return heard && now - heard->renewed <= kLongestGap * lease_ && now - heard->since >= span;
+}
+
+bool Contacts::hearsOnly(const std::vector<Incarnation>& known, double span, double now) const {
+  return std::ranges::all_of(heard_, [&](const Heard& heard) {
+    return now - heard.asMember > span || std::ranges::count(known, heard.who) > 0;
+  });
+}
+
+}  // namespace wells::simulation

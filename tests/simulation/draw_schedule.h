@@ -1,0 +1,16 @@
+// Draws a schedule from a seed.
+#pragma once
+
+#include "simulation/fault.h"
+
+namespace wells::simulation {
+
+struct SessionShape {
+  int peers = 3;        // 2 .. 5
+  int balls = 8;        // 1 .. 100
+  double seconds = 60;  // simulated, >= 60
+};
+
+Schedule drawSchedule(std::uint64_t seed, const SessionShape& shape);
+
+}  // namespace wells::simulation

@@ -1,0 +1,174 @@
+#include "simulation/invariants.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "simulation/describe.h"
+
+namespace wells::simulation {
+
+void Invariants::report(Invariant invariant, double now, std::string what) {
+  violations_.push_back({invariant, now, std::move(what)});
+}
+
+void Invariants::claim(std::size_t ball, const Version& version, double now) {
+  if (version.owner == Incarnation{}) return;
+  const auto [known, isNew] = owners_[ball].try_emplace(
+      {version.generation, version.term, version.adopter, version.epoch}, version.owner);
+  if (known->second == version.owner) return;
+  report(Invariant::OneOwnerEver, now,
+         fmt::format("ball {} is {}'s and {}'s in the tenure {}", ball, describe(known->second),
+                     describe(version.owner), describe(version)));
+}
+
+void Invariants::observe(const PeerView& peer, double now,
+                         const std::function<bool(const Incarnation&)>& wasHeard) {
+  const auto complain = [&](Invariant invariant, std::size_t ball, const std::string& what) {
+    report(invariant, now, fmt::format("{}, ball {}: {}", describe(peer.self), ball, what));
+  };
+  if (peer.records.size() != balls_ || peer.roles.size() != balls_ || peer.balls->size() != balls_)
+    return complain(Invariant::Complete, balls_, "is not the last of all");
+
+  for (std::size_t i = 0; i < balls_; ++i) {
+    if (!isFinite(peer.balls->state(i))) complain(Invariant::Complete, i, "is not finite");
+    if ((peer.roles[i] == Role::Owned) != peer.owns(i))
+      complain(Invariant::RolesMatch, i,
+               fmt::format("is {} in the world; {}, {}",
+                           peer.roles[i] == Role::Owned ? "owned" : "a ghost", name(peer.phase),
+                           describe(peer.records[i])));
+  }
+  if (!peer.generation.exists()) return;
+
+  Process& process = processes_[peer.process];
+  const bool isAnew =
+      process.self != peer.self || process.generation != peer.generation || process.records.empty();
+  if (isAnew) {
+    process.self = peer.self;
+    process.generation = peer.generation;
+    process.records.assign(peer.records.begin(), peer.records.end());
+    process.history.assign(balls_, {});
+    for (std::size_t i = 0; i < balls_; ++i) learn(process, peer, i, now);
+    return;
+  }
+  for (std::size_t i = 0; i < balls_; ++i) {
+    const Record& before = process.records[i];
+    const Record& after = peer.records[i];
+    if (after == before) continue;
+    if (after.version < before.version ||
+        (after.version == before.version && after.standing < before.standing))
+      complain(Invariant::VersionsRise, i, describe(before) + " became " + describe(after));
+    const bool isAdopted = after.version.term > before.version.term &&
+                           after.version.adopter == peer.self && after.version.epoch == 0;
+    if (isAdopted && before.version.owner != peer.self && wasHeard(before.version.owner))
+      complain(Invariant::LivingKeepTheirs, i, "is adopted from " + describe(before));
+    if (!sameTenure(before.version, after.version) || before.version.owner != after.version.owner)
+      learn(process, peer, i, now);
+    process.records[i] = after;
+  }
+}
+
+void Invariants::learn(Process& process, const PeerView& peer, std::size_t ball, double now) {
+  claim(ball, peer.records[ball].version, now);
+  std::vector<Known>& known = process.history[ball];
+  known.push_back({now, peer.records[ball].version});
+  while (known.size() > 1 && known[1].time <= now - 1) known.erase(known.begin());
+}
+
+Version Invariants::knownFor(int process, std::size_t ball, double seconds, double now) const {
+  Version version{};
+  const auto place = processes_.find(process);
+  if (place == processes_.end()) return version;
+  for (const Known& known : place->second.history[ball])
+    if (known.time <= now - seconds) version = known.version;
+  return version;
+}
+
+void Invariants::joined(const PeerView& joiner, std::span<const int> others, double now) {
+  for (std::size_t i = 0; i < balls_; ++i) {
+    for (const int other : others) {
+      Version known = knownFor(other, i, 1, now);
+      if (known.generation != joiner.generation) continue;
+      const Version& own = joiner.records[i].version;
+      known.step = own.step;
+      if (own < known)
+        report(
+            Invariant::JoinersKnow, now,
+            fmt::format("{}, ball {}: becomes active with {}, while process {} has long known {}",
+                        describe(joiner.self), i, describe(own), other, describe(known)));
+    }
+  }
+}
+
+void Invariants::group(std::span<const PeerView> peers, double now) {
+  for (std::size_t i = 0; i < balls_; ++i) {
+    int owners = 0;
+    const PeerView* latest = &peers.front();
+    for (const PeerView& peer : peers) {
+      if (peer.owns(i)) ++owners;
+      if (peer.records[i].version > latest->records[i].version) latest = &peer;
+    }
+    if (owners == 1) continue;
+    const auto complain = [&](Invariant invariant, const std::string& what) {
+      std::string text = fmt::format("ball {} {}:", i, what);
+      for (const PeerView& peer : peers)
+        text += fmt::format(" {} knows {};", describe(peer.self), describe(peer.records[i]));
+      report(invariant, now, text);
+    };
+    if (owners > 1) {
+      complain(Invariant::OneActsAsOwner, fmt::format("has {} owners", owners));
+      continue;
+    }
+    if (std::ranges::none_of(peers, [&](const PeerView& peer) {
+          return peer.self == latest->records[i].version.owner;
+        })) {
+      complain(Invariant::OneActsAsOwner, "has no owner, and nobody here is named");
+      continue;
+    }
+    Unowned& unowned = unowned_[{peers.front().self, i}];
+    if (now - unowned.seen > lease_ / 2) unowned.since = now;
+    unowned.seen = now;
+    if (now - unowned.since > 2 * lease_) {
+      complain(Invariant::NobodyForLong, "has been named, but not taken, for two leases");
+      unowned.since = now;
+    }
+  }
+  // What has an owner again.
+  std::erase_if(unowned_, [&](const auto& entry) {
+    return entry.first.first == peers.front().self && entry.second.seen != now;
+  });
+}
+
+void Invariants::healed(std::span<const PeerView> peers, double now) {
+  std::vector<PeerView> active;
+  for (const PeerView& peer : peers)
+    if (peer.phase == Phase::Active) active.push_back(peer);
+  if (active.empty()) return;
+  for (const PeerView& peer : active)
+    if (peer.generation != active.front().generation)
+      report(Invariant::Heals, now,
+             fmt::format("{} and {} are active in two generations", describe(active.front().self),
+                         describe(peer.self)));
+  const std::size_t before = violations_.size();
+  group(active, now);
+  for (std::size_t i = before; i < violations_.size(); ++i)
+    violations_[i].invariant = Invariant::Heals;
+}
+
+void Invariants::settled(std::span<const PeerView> peers, double now) {
+  for (const PeerView& peer : peers) {
+    const PeerView& first = peers.front();
+    for (std::size_t i = 0; i < balls_; ++i) {
+      const BallState a = first.balls->state(i);
+      const BallState b = peer.balls->state(i);
+      const bool isEqual = a.position == b.position && a.velocity == b.velocity && a.spin == b.spin;
+      if (isEqual && first.records[i].version == peer.records[i].version) continue;
+      report(Invariant::Agree, now,
+             fmt::format("ball {}: {} knows {}, {} knows {}; their states {}", i,
+                         describe(first.self), describe(first.records[i]), describe(peer.self),
+                         describe(peer.records[i]), isEqual ? "are equal" : "differ"));
+    }
+  }
+}
+
+}  // namespace wells::simulation

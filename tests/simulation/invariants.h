@@ -1,0 +1,134 @@
+// What must hold in every session, whatever goes wrong: the promises, checked on what each peer
+// knows and on what it says. Knows nothing of faults and networks; who hears whom is passed in.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "network/peers.h"
+#include "ownership/records.h"
+#include "state/world.h"
+
+namespace wells::simulation {
+
+enum class Invariant : std::uint8_t {
+  OneOwnerEver,      // (ball, generation, term, adopter, its incarnation, epoch) has one owner ever
+  VersionsRise,      // at a running incarnation, within a generation
+  Complete,          // every ball in every record set, nothing that is not a number
+  RolesMatch,        // a ball is owned in the world exactly where the record says so
+  OneActsAsOwner,    // among peers that heard each other for two leases: one, or one is named
+  NobodyForLong,     // ... and who is named takes it
+  LivingKeepTheirs,  // nobody adopts from one whom it has heard, and who has heard it
+  JoinersKnow,       // who becomes active knows all tenures that are older than a second
+  Heals,             // two leases after the faults: one generation, one owner each
+  AllReturn,         // ... and later every peer is active
+  Agree,             // stopped and settled: equal records, equal states to the bit
+};
+
+inline constexpr std::array<std::string_view, 11> kInvariantNames = {"one owner ever",
+                                                                     "versions rise",
+                                                                     "complete",
+                                                                     "roles match",
+                                                                     "one acts as owner",
+                                                                     "nobody for long",
+                                                                     "living keep theirs",
+                                                                     "joiners know",
+                                                                     "heals",
+                                                                     "all return",
+                                                                     "agree"};
+
+constexpr std::string_view name(Invariant invariant) {
+  return kInvariantNames.at(static_cast<std::size_t>(invariant));
+}
+
+struct Violation {
+  Invariant invariant{};
+  double time = 0;  // s
+  std::string what;
+};
+
+/// A peer as it stands between two things that it does. What it refers to must outlive the call
+/// that it is passed to.
+struct PeerView {
+  int process = 0;  // number of its process; a restarted peer has another one
+  Incarnation self{};
+  Phase phase = Phase::Joining;
+  Generation generation{};
+  std::span<const Record> records;
+  std::span<const Role> roles;
+  const Balls* balls = nullptr;
+
+  bool owns(std::size_t ball) const {
+    return phase == Phase::Active && wells::owns(records[ball], self);
+  }
+};
+
+class Invariants {
+ public:
+  /// balls in every world; leases in s.
+  Invariants(std::size_t balls, double lease) : balls_(balls), lease_(lease) {}
+
+  /// After anything that the peer did. `wasHeard` tells whether the peer and an incarnation have
+  /// heard each other for two leases.
+  void observe(const PeerView& peer, double now,
+               const std::function<bool(const Incarnation&)>& wasHeard);
+
+  /// A message says that version.owner has, or is to have, the ball.
+  void claim(std::size_t ball, const Version& version, double now);
+
+  /// A peer that has synchronised becomes active; `others` are the active ones that it hears and
+  /// that hear it.
+  void joined(const PeerView& joiner, std::span<const int> others, double now);
+
+  /// Peers that have heard each other, and nobody else, for two leases.
+  void group(std::span<const PeerView> peers, double now);
+
+  /// All peers, two leases or more after the faults have ended. Those that still join are let be.
+  void healed(std::span<const PeerView> peers, double now);
+
+  /// All peers, stopped and settled.
+  void settled(std::span<const PeerView> peers, double now);
+
+  /// Of something that the simulator finds itself.
+  void report(Invariant invariant, double now, std::string what);
+
+  const std::vector<Violation>& violations() const { return violations_; }
+
+ private:
+  using Tenure = std::tuple<Generation, std::int64_t, Incarnation, std::int64_t>;
+
+  /// A tenure that a peer has known since `time`.
+  struct Known {
+    double time = 0;  // s
+    Version version{};
+  };
+  /// What was seen of a process.
+  struct Process {
+    Incarnation self{};
+    Generation generation{};
+    std::vector<Record> records;
+    std::vector<std::vector<Known>> history;  // by ball; the last second and one before
+  };
+
+  void learn(Process& process, const PeerView& peer, std::size_t ball, double now);
+  Version knownFor(int process, std::size_t ball, double seconds, double now) const;
+
+  std::size_t balls_;
+  double lease_;
+  std::vector<std::map<Tenure, Incarnation>> owners_{balls_};  // by ball
+  std::map<int, Process> processes_;
+  /// Since when nobody of a group owns a ball, and until when that was seen.
+  struct Unowned {
+    double since = 0, seen = 0;  // s
+  };
+  std::map<std::pair<Incarnation, std::size_t>, Unowned> unowned_;  // by the group's first
+  std::vector<Violation> violations_;
+};
+
+}  // namespace wells::simulation
