@@ -24,7 +24,8 @@ std::optional<std::int64_t> frontStep(std::span<const PeerPace> peers, const Pac
   return front;
 }
 
-int stepsDue(std::int64_t step, std::span<const PeerPace> peers, const PaceRule& rule, double now) {
+int stepsDue(std::int64_t step, double stepTime, std::span<const PeerPace> peers,
+             const PaceRule& rule, double now) {
   for (const PeerPace& peer : peers) {
     const bool isSilent = now - peer.heardAt > kMaxSilence;
     if (peer.progress == Progress::Paused || isSilent) continue;
@@ -32,7 +33,16 @@ int stepsDue(std::int64_t step, std::span<const PeerPace> peers, const PaceRule&
   }
   const std::int64_t behind = frontStep(peers, rule, now).value_or(step) - step;
   if (behind <= rule.slack) return 1;
-  return static_cast<int>(std::min<std::int64_t>(behind, rule.maxCatchUp));
+  // Heavy steps are not caught up with: the others wait, and the shared pace drops.
+  const double bearable = stepTime > 0 ? rule.longestTick / stepTime : rule.maxCatchUp;
+  const int most = static_cast<int>(std::clamp<double>(bearable, 1, rule.maxCatchUp));
+  return static_cast<int>(std::min<std::int64_t>(behind, most));
+}
+
+int stepsDueInPause(std::int64_t step, std::span<const PeerPace> peers, const PaceRule& rule) {
+  std::int64_t furthest = step;
+  for (const PeerPace& peer : peers) furthest = std::max(furthest, peer.step);
+  return static_cast<int>(std::min<std::int64_t>(furthest - step, rule.maxCatchUp));
 }
 
 }  // namespace wells

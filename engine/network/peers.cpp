@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "network/message_fields.h"
 
@@ -39,7 +40,8 @@ std::optional<Drop> Peers::hear(const gravity_wells::heartbeat_t& heartbeat, Tim
   if (peer.isOver) return Drop::DeadSender;
   if (!peer.sequences.accept(header.sequence)) return Drop::Replayed;
 
-  peer.heardAt = now.monotonic;
+  noteHeard(peer, now.monotonic);
+  peer.clockOffset = static_cast<double>(header.utime - now.wallUs) * 1e-6;
   peer.heartbeats = std::min(peer.heartbeats + 1, 1000);
   // One that was overtaken on its way tells an old phase.
   if (header.sequence < peer.sequences.highest()) return std::nullopt;
@@ -71,7 +73,7 @@ std::optional<Drop> Peers::hear(const gravity_wells::peer_header_t& header, Time
   if (!peer->sequences.accept(header.sequence)) return Drop::Replayed;
   if (peer->world == WorldMatch::Foreign) return Drop::ForeignWorld;
   if (isReplaced(*peer, now.monotonic)) return Drop::DeadSender;
-  peer->heardAt = now.monotonic;
+  noteHeard(*peer, now.monotonic);
   if (generationOf(header) == peer->generation) renew(*peer, header.step, now.monotonic);
   return std::nullopt;
 }
@@ -93,6 +95,18 @@ void Peers::renew(Peer& peer, std::int64_t step, double now) {
   if (isMember(peer, generation_)) leases_.hear(peer.who, step, peer.progress, peer.lease, now);
 }
 
+void Peers::noteHeard(Peer& peer, double now) {
+  if (peer.heartbeats > 0 && now - peer.heardAt > peer.lease) {
+    peer.lostAt = peer.heardAt + peer.lease;
+    peer.foundAt = now;
+  }
+  peer.heardAt = now;
+}
+
+double Peers::apartSince(const Peer& peer, double now) const {
+  return now - peer.foundAt <= 2 * peer.lease ? peer.lostAt : now;
+}
+
 Peer* Peers::find(std::int64_t incarnation) {
   const auto entry = peers_.find(incarnation);
   return entry == peers_.end() ? nullptr : &entry->second;
@@ -103,6 +117,22 @@ std::vector<const Peer*> Peers::living(double now) const {
   for (const auto& [number, peer] : peers_)
     if (isMember(peer, generation_) && leases_.isLiving(peer.who, now)) members.push_back(&peer);
   return members;
+}
+
+std::vector<const Peer*> Peers::members() const {
+  std::vector<const Peer*> members;
+  for (const auto& [number, peer] : peers_)
+    if (isMember(peer, generation_)) members.push_back(&peer);
+  std::ranges::sort(members, {}, [](const Peer* peer) { return peer->who; });
+  return members;
+}
+
+double Peers::goneSince(PeerId id, double now) const {
+  double last = -std::numeric_limits<double>::infinity();
+  for (const auto& [number, peer] : peers_)
+    if (peer.who.peer == id)
+      if (const auto ended = leases_.endedAt(peer.who, now)) last = std::max(last, *ended);
+  return last;
 }
 
 std::vector<const Peer*> Peers::livingActive(double now) const {

@@ -40,6 +40,9 @@ struct Peer {
   std::int64_t step = 0;   // committed, as last heard ...
   double stepHeardAt = 0;  // ... at this time, s
   double heardAt = 0;      // s
+  double lostAt = 0;       // s; when its lease ran out in its last long silence ...
+  double foundAt = -1e9;   // ... which ended then, s
+  double clockOffset = 0;  // s; its wall clock minus ours, journey time included
   int heartbeats = 0;      // heard, up to a few
   bool isOver = false;     // it said good-bye
   bool isNoted = false;    // the user was told about its world or its clock
@@ -67,6 +70,9 @@ class Peers {
   /// Learns from the header of any other message.
   std::optional<Drop> hear(const gravity_wells::peer_header_t& header, Times now);
 
+  /// Whether the wall clock of a message is near enough to ours.
+  std::optional<Drop> checkClock(const gravity_wells::peer_header_t& header, Times now) const;
+
   /// The peer of an incarnation number; nullptr when unknown.
   Peer* find(std::int64_t incarnation);
 
@@ -88,6 +94,16 @@ class Peers {
   /// Lowest id that nobody audible uses; nobody when all are taken.
   PeerId lowestFreeId(double now) const;
 
+  /// Since when the peer may have thought us gone (s): since its lease here ran out, if it was
+  /// heard again only lately; now, if there was no such silence.
+  double apartSince(const Peer& peer, double now) const;
+
+  /// Members of our generation, dead ones that are remembered included, by id.
+  std::vector<const Peer*> members() const;
+
+  /// When the lease of the last member with this id ended, s; -infinity: nobody is remembered.
+  double goneSince(PeerId id, double now) const;
+
   /// Drops what is too old to matter.
   void forget(double now);
 
@@ -98,9 +114,9 @@ class Peers {
   // Incarnations in the table; more are refused. A flood of invented ones must not fill memory.
   static constexpr std::size_t kCapacity = 2048;
 
-  std::optional<Drop> checkClock(const gravity_wells::peer_header_t& header, Times now) const;
   bool isReplaced(const Peer& peer, double now) const;
   void renew(Peer& peer, std::int64_t step, double now);
+  static void noteHeard(Peer& peer, double now);
 
   std::int64_t worldHash_;
   double clockTolerance_;

@@ -8,6 +8,8 @@
 namespace wells {
 namespace {
 
+constexpr double kStepTimeShare = 0.1;  // of the newest in the mean time of a step
+
 void require(bool holds, const std::string& what) {
   if (!holds) throw std::invalid_argument("session: " + what);
 }
@@ -36,7 +38,8 @@ Session::Session(SessionOptions options, World& initial, Transport& transport)
       random_(options_.seed),
       balls_(initial, options_.predict),
       peers_(options_.worldHash, options_.clockTolerance),
-      schedule_(initial.balls.size()) {
+      schedule_(initial.balls.size()),
+      worldSettings_(initial.settings) {
   for (WellTrack& track : initial.tracks) track.peer = kNobody;
   initial.roles.assign(initial.balls.size(), Role::Ghost);
 }
@@ -47,6 +50,7 @@ void Session::beforeStep(World& world, Times now) {
     listenUntil_ = now.monotonic + listenTime();
   }
   fenceAfterStall(world, now);
+  applySettings(world);
   transport_.poll([&](std::string_view channel, std::span<const std::byte> bytes) {
     receive(world, channel, bytes, now);
   });
@@ -73,14 +77,21 @@ void Session::beforeStep(World& world, Times now) {
 int Session::mayStep(const World& world, Times now) {
   isWaiting_ = false;
   if (phase_ != Phase::Active || isStopped(world)) return 0;
-  const int due = stepsDue(world.step, paces(now.monotonic), paceRule(), now.monotonic);
+  const auto others = paces(now.monotonic);
+  const bool isPaused = wells::isPaused(shared_, world.step);
+  const int due = isPaused
+                      ? stepsDueInPause(world.step, others, paceRule(world))
+                      : stepsDue(world.step, stepTime_, others, paceRule(world), now.monotonic);
   isWaiting_ = due == 0;
   return static_cast<int>(std::min<std::int64_t>(due, stopAt_ - world.step));
 }
 
 void Session::afterStep(World& world, Times now) {
+  const double sinceLastCall = now.monotonic - lastLoop_.value_or(now.monotonic);
   fenceAfterStall(world, now);
   if (phase_ == Phase::Active && world.step != observedStep_) {
+    stepTime_ += kStepTimeShare * (sinceLastCall - stepTime_);
+    applySettings(world);
     extendOwnTrack(world.tracks, peer(), options_.well, world.step);
     balls_.applyDue(world, party());
     schedule_.observe(world);
@@ -90,8 +101,27 @@ void Session::afterStep(World& world, Times now) {
   publish(world, now);
 }
 
-bool Session::isPaused(const World& world) const {
+bool Session::standsStill(const World& world) const {
   return phase_ != Phase::Active || isStopped(world) || isWaiting_;
+}
+
+void Session::applySettings(World& world) const {
+  const Settings settings = applied(shared_, worldSettings_, world.step);
+  world.settings.gravity = settings.gravity;
+  world.settings.elasticity = settings.elasticity;
+  world.settings.friction = settings.friction;
+}
+
+double Session::digestRound() const {
+  const std::size_t buckets = bucketCount(records().size());
+  const std::size_t heartbeats = (buckets + kMaxBucketsInMessage - 1) / kMaxBucketsInMessage;
+  return static_cast<double>(heartbeats) / options_.heartbeatRate;
+}
+
+Hearing Session::hearing(const gravity_wells::peer_header_t& header, Times now) {
+  return {.now = now.monotonic,
+          .apartSince = peers_.apartSince(*peers_.find(header.incarnation), now.monotonic),
+          .patience = options_.lease / 2};
 }
 
 bool Session::isSettled(const World& world) const {

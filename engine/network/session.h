@@ -27,6 +27,7 @@
 #include "network/peers.h"
 #include "network/session_options.h"
 #include "network/shared_balls.h"
+#include "network/shared_settings.h"
 #include "network/state_schedule.h"
 
 namespace wells {
@@ -66,6 +67,15 @@ class Session {
 
   /// After each step, and once in a tick without a step: keeps the view and sends what is due.
   void afterStep(World& world, Times now);
+
+  /// What anybody has set for all, so far. The session obeys its own keys; the application obeys
+  /// the others, from their steps on.
+  const SharedSettings& settings() const { return shared_; }
+
+  /// Steps per wall second that the group is to do now.
+  double stepRate(const World& world) const {
+    return wells::stepRate(shared_, world.step, options_.stepRate);
+  }
 
   /// Does no step beyond `step`; at it, the session counts as paused and goes on publishing.
   void stopAt(std::int64_t step) { stopAt_ = step; }
@@ -113,16 +123,18 @@ class Session {
   void listen(World& world, Times now);
   void synchronise(World& world, Times now);
   void act(World& world, Times now);
-  void found(World& world, Times now);
+  void found(World& world, std::int64_t resets, Times now);
   void enter(World& world, const Generation& generation, Times now);
   void followGroup(World& world, Times now);
   bool knowsAllWells(const World& world, Times now) const;
+  bool isSynchronised(const World& world, Times now) const;
+  bool isLowest(Times now) const;
   void activate(World& world, Times now);
   void fence(World& world, PeerId peer, Times now);
   void fenceAfterStall(World& world, Times now);
   void takeIncarnation(PeerId peer, Times now);
   void showWell(World& world);
-  void forgetWells(World& world, Times now);
+  void tendWells(World& world, Times now);
   Generation greatestHeard(double now) const;
 
   // session_receive.cpp
@@ -139,6 +151,9 @@ class Session {
   std::optional<Drop> checkMember(const gravity_wells::peer_header_t& header, Times now);
   std::optional<Drop> settleId(World& world, const Peer& other, Times now);
   void giveUpId(World& world, Times now);
+  std::optional<Drop> learn(World& world, const std::vector<gravity_wells::setting_t>& settings,
+                            Times now);
+  void hearDigests(const Peer& other, const gravity_wells::heartbeat_t& m, Times now);
   void noteForeignWorld(Peer& other, const std::string& canonical);
   void noteClock(const gravity_wells::peer_header_t& header, Times now);
 
@@ -147,18 +162,23 @@ class Session {
   gravity_wells::peer_header_t header(const World& world, Times now);
   void send(const Message& message);
   void sendHeartbeat(const World& world, Times now);
+  void addDigests(gravity_wells::heartbeat_t& m, Times now);
+  void sendSettings(const World& world, Times now);
   void sendConfig(const World& world, Times now);
   void sendStatistics(const World& world, Times now);
-  void sendWell(const World& world, Times now);
+  void sendWells(const World& world, Times now);
   void sendStates(const World& world, const std::vector<std::uint32_t>& chosen, Times now);
   void sendOffers(const World& world, Times now);
 
   // session.cpp
   Party party() const { return {self_, phase_}; }
   bool isStopped(const World& world) const { return world.step >= stopAt_; }
-  bool isPaused(const World& world) const;
+  bool standsStill(const World& world) const;
+  void applySettings(World& world) const;
+  Hearing hearing(const gravity_wells::peer_header_t& header, Times now);
   std::vector<PeerPace> paces(double now) const;
-  PaceRule paceRule() const { return {.stepRate = options_.stepRate}; }
+  PaceRule paceRule(const World& world) const { return {.stepRate = stepRate(world)}; }
+  double digestRound() const;
   std::vector<PeerWell> livingWells(const World& world, Times now) const;
   void note(const std::string& text) const;
   double listenTime() const { return options_.listen.value_or(2 * options_.lease); }
@@ -169,6 +189,8 @@ class Session {
   SharedBalls balls_;
   Peers peers_;
   StateSchedule schedule_;
+  SharedSettings shared_;
+  Settings worldSettings_;  // without the shared ones
 
   Incarnation self_;
   std::vector<std::int64_t> formerIncarnations_;  // ours, to know the echo of our own messages
@@ -179,7 +201,10 @@ class Session {
   double listenUntil_ = 0;          // s
   std::optional<double> lastLoop_;  // s, when our loop was last seen alive
   double lastActiveHeard_ = 0;      // s, while syncing
+  bool knowsSettings_ = false;      // as an active peer knows them; while syncing
   std::int64_t observedStep_ = -1;  // of the view that was kept last
+  double stepTime_ = 0;             // s that a step lately took
+  std::size_t nextBucket_ = 0;      // whose digest is sent next
   std::int64_t stopAt_ = std::numeric_limits<std::int64_t>::max();
   bool isWaiting_ = false;                 // the others are too far behind
   std::optional<double> clockApartSince_;  // s, when a clock was first found to be off
@@ -188,7 +213,7 @@ class Session {
 
   // When the next of each is due, s.
   double nextHeartbeat_ = 0, nextConfig_ = 0, nextStatistics_ = 0, nextWell_ = 0, nextStates_ = 0;
-  double nextForget_ = 0, nextAdoption_ = 0;
+  double nextForget_ = 0, nextAdoption_ = 0, nextSettings_ = 0;
   std::int64_t nextOffers_ = 0;  // step
 
   SessionMeasures measures_;

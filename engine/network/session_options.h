@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "network/shared_settings.h"
 #include "ownership/handover.h"
 #include "state/world.h"
 
@@ -55,6 +56,7 @@ struct SessionOptions {
   std::int64_t worldHash = 0;   // of the world, content of its files included
   OwnWell well;
   Predictor predict;
+  SettingCheck checkSetting;  // of keys that the application obeys; empty: there are none
 
   /// Told in a sentence what a user should know (another id, a foreign world, ...). May be empty.
   std::function<void(const std::string&)> notice;

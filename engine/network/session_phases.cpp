@@ -35,29 +35,40 @@ void Session::listen(World& world, Times now) {
   const auto heard = peers_.audible(now.monotonic);
   const bool isFirst = std::ranges::none_of(
       heard, [&](const Peer* peer) { return peer->startedBefore(startedUs_, self_.number); });
-  if (isFirst || now.monotonic >= listenUntil_ + listenTime()) found(world, now);
+  if (isFirst || now.monotonic >= listenUntil_ + listenTime()) {
+    found(world, 0, now);
+    note("heard nobody and founded a session");
+  }
 }
 
-void Session::found(World& world, Times now) {
-  generation_ = {.resets = 0,
+void Session::found(World& world, std::int64_t resets, Times now) {
+  generation_ = {.resets = resets,
                  .foundedUs = now.wallUs,
                  .nonce = static_cast<std::int64_t>(random_.bits() >> 1)};
   peers_.setGeneration(generation_, now.monotonic);
-  balls_.found(world, generation_, self_);
+  world.step = 0;
+  balls_.found(world, generation_, self_, now.monotonic);
+  removeTracks(world.tracks, [](const WellTrack&) { return true; });
   addOwnTrack(world.tracks, peer(), options_.well, world.step, Appearance::AtOnce);
+  shared_.restart();
+  nextOffers_ = world.step;
+  nextHeartbeat_ = now.monotonic;
   phase_ = Phase::Active;
-  note("heard nobody and founded a session");
 }
 
 void Session::enter(World& world, const Generation& generation, Times now) {
   if (generation_.exists()) {
     ++counts_.resyncs;
-    note("joins a session that was founded earlier than this one");
+    note(generation.resets > generation_.resets
+             ? "the world starts over"
+             : "joins a session that was founded earlier than this one");
   }
   generation_ = generation;
   peers_.setGeneration(generation, now.monotonic);
   balls_.enter(world, generation);
-  removeTracks(world.tracks, [](PeerId) { return true; });
+  shared_.clear();
+  knowsSettings_ = false;
+  removeTracks(world.tracks, [](const WellTrack&) { return true; });
   world.step = 0;
   lastActiveHeard_ = now.monotonic;
   followGroup(world, now);
@@ -70,16 +81,27 @@ void Session::synchronise(World& world, Times now) {
     return;
   }
   followGroup(world, now);
-  forgetWells(world, now);
-  if (balls_.missing() == 0 && knowsAllWells(world, now)) {
+  if (isSynchronised(world, now)) {
     activate(world, now);
   } else if (now.monotonic - lastActiveHeard_ > 2 * options_.lease) {
     note("everybody else is gone; goes on with " + std::to_string(records().size()) +
-         " balls, of which " + std::to_string(balls_.missing()) +
+         " balls, of which " + std::to_string(balls_.gathering().missing()) +
          " have not been heard of and are where they were first");
     activate(world, now);
     balls_.adoptAll(world, party(), peers_.leases(), now.monotonic);
   }
+}
+
+bool Session::isSynchronised(const World& world, Times now) const {
+  // The digests of many balls take turns; each has a few chances to be heard.
+  constexpr double kRounds = 3;
+  const double recently = now.monotonic - options_.lease - kRounds * digestRound();
+  return knowsSettings_ && knowsAllWells(world, now) && balls_.gathering().isComplete(recently);
+}
+
+bool Session::isLowest(Times now) const {
+  const auto living = peers_.livingActive(now.monotonic);
+  return std::ranges::none_of(living, [&](const Peer* other) { return other->who.peer < peer(); });
 }
 
 bool Session::knowsAllWells(const World& world, Times now) const {
@@ -90,7 +112,7 @@ bool Session::knowsAllWells(const World& world, Times now) const {
 
 void Session::followGroup(World& world, Times now) {
   const std::vector<PeerPace> others = paces(now.monotonic);
-  const auto front = frontStep(others, paceRule(), now.monotonic);
+  const auto front = frontStep(others, paceRule(world), now.monotonic);
   if (!front) return;
   // What the others have done counts; what they have probably done since, only up to our stop.
   const std::int64_t done = std::ranges::max(others, {}, &PeerPace::step).step;
@@ -99,7 +121,8 @@ void Session::followGroup(World& world, Times now) {
 }
 
 void Session::activate(World& world, Times now) {
-  world.step = std::max(world.step, balls_.latestStep());
+  world.step = std::max(world.step, balls_.gathering().latestStep());
+  applySettings(world);
   balls_.activate(world);
   showWell(world);
   nextOffers_ = world.step;
@@ -119,7 +142,12 @@ void Session::act(World& world, Times now) {
     enter(world, greatest, now);
     return;
   }
-  forgetWells(world, now);
+  if (const auto asked = resetsAsked(shared_); asked > generation_.resets && isLowest(now)) {
+    note("starts the world over");
+    found(world, asked, now);
+    return;
+  }
+  tendWells(world, now);
   balls_.applyDue(world, party());
   balls_.closeOffers();
   const bool looksForOrphans = now.monotonic >= nextAdoption_;
@@ -140,11 +168,24 @@ void Session::act(World& world, Times now) {
   }
 }
 
-void Session::forgetWells(World& world, Times now) {
+void Session::tendWells(World& world, Times now) {
   const auto living = peers_.living(now.monotonic);
-  removeTracks(world.tracks, [&](PeerId id) {
-    return id != peer() &&
+  const auto isGone = [&](PeerId id) {
+    return id != kNobody && id != peer() &&
            std::ranges::none_of(living, [&](const Peer* p) { return p->who.peer == id; });
+  };
+  // Normally the lowest id names the step. If it does not know that the peer has gone, or has gone
+  // itself, the others do so a lease later.
+  const double patience = isLowest(now) ? 0 : options_.lease;
+  std::vector<PeerId> toSwitchOff;
+  for (const WellTrack& track : world.tracks)
+    if (isGone(track.peer) && !isSwitchedOff(track) &&
+        now.monotonic >= peers_.goneSince(track.peer, now.monotonic) + patience)
+      toSwitchOff.push_back(track.peer);
+  for (const PeerId id : toSwitchOff) switchOff(world.tracks, id, world.step);
+  removeTracks(world.tracks, [&](const WellTrack& track) {
+    return isGone(track.peer) && isSwitchedOff(track) &&
+           track.keyframes.back().step < world.step - kKeptSteps;
   });
   pruneTracks(world.tracks, world.step);
 }
@@ -163,15 +204,17 @@ void Session::fence(World& world, PeerId newId, Times now) {
   const double lastLoop = lastLoop_.value_or(now.monotonic);
   ++counts_.fences;
   peers_.leases().end(self_, now.monotonic);
-  if (newId != peer()) removeTracks(world.tracks, [&](PeerId id) { return id == peer(); });
+  if (newId != peer()) switchOff(world.tracks, peer(), world.step);
   takeIncarnation(newId, now);
-  balls_.drop(world);
   if (peers_.heardMemberSince(lastLoop - options_.lease)) {
+    balls_.forget(world, generation_);
+    knowsSettings_ = false;
     lastActiveHeard_ = now.monotonic;
     phase_ = Phase::Syncing;
     return;
   }
   // There was nobody who could have taken the balls.
+  balls_.drop(world);
   showWell(world);
   balls_.adoptAll(world, party(), peers_.leases(), now.monotonic);
 }

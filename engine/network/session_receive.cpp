@@ -1,5 +1,6 @@
 // What a session does with what it receives. Whatever is refused here changes nothing.
 #include <algorithm>
+#include <bit>
 #include <cstdlib>
 
 #include "network/message_fields.h"
@@ -15,6 +16,21 @@ namespace {
 constexpr int kHeartbeatsToBelieve = 3;
 
 constexpr double kClockPatience = 1;  // s
+
+// s. An owner answers a digest that is not its own no sooner than so long after it last sent a
+// ball.
+constexpr double kAnswerInterval = 0.25;
+
+// s until the shared settings are sent again to somebody who does not know them.
+constexpr double kSettingsPatience = 0.1;
+
+BucketDigest digestOf(const gravity_wells::bucket_digest_t& message) {
+  BucketDigest digest;
+  for (std::size_t i = 0; i < kBallsInBucket; ++i)
+    digest.known[i] = ((message.known[i / 8] >> (i % 8)) & 1) != 0;
+  digest.sum = std::bit_cast<std::uint64_t>(message.sum);
+  return digest;
+}
 
 std::string describe(const Peer& peer) {
   return "peer " + std::to_string(value(peer.who.peer));
@@ -51,7 +67,26 @@ std::optional<Drop> Session::hear(World& world, const gravity_wells::heartbeat_t
   if (other.who.peer == peer()) return settleId(world, other, now);
   const bool isForeign = other.generation.exists() && other.generation != generation_;
   if (isForeign && phase_ != Phase::Joining) return Drop::ForeignGeneration;
+  if (other.generation == generation_) hearDigests(other, m, now);
   return std::nullopt;
+}
+
+void Session::hearDigests(const Peer& other, const gravity_wells::heartbeat_t& m, Times now) {
+  if (other.phase != Phase::Active && other.phase != Phase::Syncing) return;
+  const bool theirsCount = other.phase == Phase::Active;
+  const bool sameSettings = m.settings_digest == std::bit_cast<std::int64_t>(shared_.digest());
+  if (phase_ == Phase::Syncing && theirsCount && sameSettings) knowsSettings_ = true;
+  if (phase_ == Phase::Active && !sameSettings)
+    nextSettings_ = std::min(nextSettings_, now.monotonic + kSettingsPatience);
+  for (std::int32_t i = 0; i < m.buckets; ++i) {
+    const auto bucket = static_cast<std::size_t>(m.first_bucket + i);
+    const BucketDigest theirs = digestOf(m.digests[static_cast<std::size_t>(i)]);
+    if (phase_ == Phase::Syncing && theirsCount)
+      balls_.hearDigest(bucket, theirs, now.monotonic - options_.lease, now.monotonic);
+    if (phase_ != Phase::Active) continue;
+    for (const std::uint32_t ball : balls_.wanted(bucket, theirs, other.phase, self_))
+      schedule_.want(ball, now.monotonic - kAnswerInterval);
+  }
 }
 
 std::optional<Drop> Session::settleId(World& world, const Peer& other, Times now) {
@@ -98,7 +133,8 @@ std::optional<Drop> Session::checkMember(const gravity_wells::peer_header_t& hea
 
 std::optional<Drop> Session::hear(World& world, const gravity_wells::wells_t& m, Times now) {
   if (const auto drop = checkMember(m.header, now)) return drop;
-  learnTrack(world.tracks, PeerId{m.peer}, m);
+  // What we computed with an older idea of a well, the others predict otherwise.
+  if (learnTrack(world.tracks, m, world.step) == TrackNews::Late) schedule_.wantAll();
   return std::nullopt;
 }
 
@@ -109,8 +145,9 @@ std::optional<Drop> Session::hear(World& world, const gravity_wells::ball_states
   for (const auto& ball : m.balls) {
     const BallNews news{static_cast<std::size_t>(ball.id), versionOf(m.header, ball, owner, m.step),
                         stateOf(ball)};
-    const auto drop = phase_ == Phase::Active ? balls_.hearState(world, news, now.monotonic)
-                                              : balls_.gather(world, news, Standing::Heard);
+    const auto drop = phase_ == Phase::Active
+                          ? balls_.hearState(world, news, hearing(m.header, now))
+                          : balls_.gather(world, news, Standing::Heard, now.monotonic);
     if (drop) refused = drop;
   }
   return refused;
@@ -127,9 +164,9 @@ std::optional<Drop> Session::hear(World& world, const gravity_wells::offers_t& m
     if (news.version.epoch == 0) {
       drop = Drop::ImpossibleVersion;  // an offer always begins an epoch
     } else if (phase_ == Phase::Active) {
-      drop = balls_.hearOffer(world, news, party(), now.monotonic, options_.lease / 2);
+      drop = balls_.hearOffer(world, news, party(), hearing(m.header, now));
     } else {
-      drop = balls_.gather(world, news, Standing::Named);
+      drop = balls_.gather(world, news, Standing::Named, now.monotonic);
     }
     if (drop) refused = drop;
   }
@@ -167,12 +204,34 @@ void Session::noteClock(const gravity_wells::peer_header_t& header, Times now) {
        " ours; it is ignored until both show the same time");
 }
 
-std::optional<Drop> Session::hear(World&, const gravity_wells::settings_t& m, Times now) {
-  return peers_.hear(m.header, now);
+std::optional<Drop> Session::hear(World& world, const gravity_wells::settings_t& m, Times now) {
+  if (const auto drop = checkMember(m.header, now)) return drop;
+  return learn(world, m.settings, now);
 }
 
-std::optional<Drop> Session::hear(World&, const gravity_wells::request_t&, Times) {
-  return std::nullopt;
+std::optional<Drop> Session::hear(World& world, const gravity_wells::request_t& m, Times now) {
+  if (const auto drop = peers_.checkClock(m.header, now)) return drop;
+  if (phase_ != Phase::Active) return Drop::NotJoined;
+  if (generationOf(m.header) != generation_) return Drop::ForeignGeneration;
+  return learn(world, m.settings, now);
+}
+
+std::optional<Drop> Session::learn(World& world,
+                                   const std::vector<gravity_wells::setting_t>& settings,
+                                   Times now) {
+  std::optional<Drop> refused;
+  for (const auto& s : settings) {
+    auto wrong = checkSessionSetting(s.key, s.value);
+    if (wrong && options_.checkSetting) wrong = options_.checkSetting(s.key, s.value);
+    if (wrong) {
+      refused = Drop::OutOfRange;
+    } else if (shared_.learn(s.key, {s.value, s.version, s.setter, s.set_by, s.from_step})) {
+      nextSettings_ = now.monotonic;
+      if (phase_ == Phase::Active) note(s.set_by + " sets " + s.key + " to " + s.value);
+    }
+  }
+  applySettings(world);
+  return refused;
 }
 
 std::optional<Drop> Session::hear(World&, const gravity_wells::statistics_t& m, Times now) {

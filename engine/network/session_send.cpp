@@ -1,5 +1,6 @@
 // What a session sends, and when.
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "network/message_fields.h"
@@ -10,9 +11,19 @@ namespace wells {
 namespace {
 
 constexpr double kWellInterval = 0.05;    // s; every keyframe is repeated until it is long past
+constexpr double kSettingsInterval = 1;   // s
+constexpr double kSettled = 0.5;          // s for which an owner is known before a digest counts it
 constexpr double kOfferInterval = 0.1;    // s between repetitions of an offer
 constexpr double kStoppedInterval = 0.2;  // s between repetitions of the states of a stopped world
 constexpr int kFarewells = 3;             // good-byes, since any may be lost
+
+gravity_wells::bucket_digest_t digestMessage(const BucketDigest& digest) {
+  gravity_wells::bucket_digest_t message{};
+  for (std::size_t i = 0; i < kBallsInBucket; ++i)
+    if (digest.known[i]) message.known[i / 8] |= static_cast<std::uint8_t>(1u << (i % 8));
+  message.sum = std::bit_cast<std::int64_t>(digest.sum);
+  return message;
+}
 
 bool isDue(double& next, double interval, double now) {
   if (now < next) return false;
@@ -28,10 +39,12 @@ void Session::publish(World& world, Times now) {
   if (isDue(nextHeartbeat_, 1 / options_.heartbeatRate, t)) sendHeartbeat(world, now);
   if (isDue(nextConfig_, 1, t)) sendConfig(world, now);
   if (phase_ != Phase::Active) return;
-  if (isDue(nextWell_, kWellInterval, t)) sendWell(world, now);
+  if (isDue(nextSettings_, kSettingsInterval, t)) sendSettings(world, now);
+  if (isDue(nextWell_, kWellInterval, t)) sendWells(world, now);
   if (isDue(nextStates_, 1 / options_.stateRate, t)) {
     StatePace pace{.moving = 1 / options_.stateRate, .limit = options_.ballsPerTick};
     if (isStopped(world)) pace.moving = pace.resting = kStoppedInterval;
+    if (wells::isPaused(shared_, world.step)) pace.moving = pace.resting;
     sendStates(world, schedule_.pick(world, pace, t), now);
   }
   sendOffers(world, now);
@@ -73,13 +86,40 @@ void Session::sendHeartbeat(const World& world, Times now) {
   m.started = startedUs_;
   m.world_hash = options_.worldHash;
   m.phase = static_cast<std::int32_t>(phase_);
-  m.settings_digest = 0;
-  m.first_bucket = 0;
-  m.buckets = 0;
-  m.paused = isPaused(world);
+  m.paused = standsStill(world);
   m.lease_ms = static_cast<std::int32_t>(std::lround(options_.lease * 1000));
   m.balls_owned = static_cast<std::int32_t>(ballsOwnedHere());
+  m.settings_digest = std::bit_cast<std::int64_t>(shared_.digest());
+  addDigests(m, now);
   send(m);
+}
+
+void Session::addDigests(gravity_wells::heartbeat_t& m, Times now) {
+  const std::size_t buckets = bucketCount(records().size());
+  m.first_bucket = 0;
+  m.buckets = 0;
+  if (phase_ != Phase::Active && phase_ != Phase::Syncing) return;
+  if (nextBucket_ >= buckets) nextBucket_ = 0;
+  const std::size_t end = std::min<std::size_t>(nextBucket_ + kMaxBucketsInMessage, buckets);
+  m.first_bucket = static_cast<std::int32_t>(nextBucket_);
+  for (; nextBucket_ < end; ++nextBucket_)
+    m.digests.push_back(
+        digestMessage(balls_.digest(nextBucket_, phase_, now.monotonic - kSettled)));
+  m.buckets = static_cast<std::int32_t>(m.digests.size());
+}
+
+void Session::sendSettings(const World& world, Times now) {
+  const auto& registers = shared_.registers();
+  for (auto next = registers.begin(); next != registers.end();) {
+    gravity_wells::settings_t m;
+    m.header = header(world, now);
+    for (; next != registers.end() && m.settings.size() < kMaxSettingsInMessage; ++next) {
+      const auto& [key, r] = *next;
+      m.settings.push_back({key, r.value, r.version, r.setter, r.setBy, r.fromStep});
+    }
+    m.count = static_cast<std::int32_t>(m.settings.size());
+    send(m);
+  }
 }
 
 void Session::sendConfig(const World& world, Times now) {
@@ -90,10 +130,17 @@ void Session::sendConfig(const World& world, Times now) {
   send(m);
 }
 
-void Session::sendWell(const World& world, Times now) {
-  gravity_wells::wells_t m = wellMessage(world.tracks, peer());
-  m.header = header(world, now);
-  send(m);
+void Session::sendWells(const World& world, Times now) {
+  const bool speaksForTheGone = isLowest(now);
+  const std::vector<PeerId> living = livingPeers(now);
+  for (const WellTrack& track : world.tracks) {
+    const bool isGone = track.peer != kNobody && isSwitchedOff(track) &&
+                        !std::ranges::binary_search(living, track.peer);
+    if (track.peer != peer() && !(isGone && speaksForTheGone)) continue;
+    gravity_wells::wells_t m = wellMessage(world.tracks, track.peer);
+    m.header = header(world, now);
+    send(m);
+  }
 }
 
 void Session::sendStates(const World& world, const std::vector<std::uint32_t>& chosen, Times now) {

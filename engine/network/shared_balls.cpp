@@ -8,41 +8,51 @@ SharedBalls::SharedBalls(const World& initial, Predictor predict)
     : predict_(std::move(predict)),
       initial_(initial.balls),
       records_(initial.balls.size()),
+      since_(initial.balls.size()),
       watches_(initial.balls.size()),
-      gathered_(initial.balls.size(), -1),
-      missing_(initial.balls.size()),
+      gathering_(initial.balls.size()),
       ghosts_(initial.balls.size()) {}
 
-void SharedBalls::found(World& world, const Generation& generation, const Incarnation& founder) {
+void SharedBalls::found(World& world, const Generation& generation, const Incarnation& founder,
+                        double now) {
+  drop(world);
+  world.balls = initial_;
+  openOffers_.clear();
   for (std::size_t i = 0; i < records_.size(); ++i) {
-    records_[i] = wells::found(generation, founder, world.step);
+    setRecord(i, wells::found(generation, founder, world.step), now);
     setRole(world, i, Role::Owned);
   }
 }
 
 void SharedBalls::enter(World& world, const Generation& generation) {
+  forget(world, generation);
+  world.balls = initial_;
+  gathering_.restart();
+}
+
+void SharedBalls::forget(World& world, const Generation& generation) {
   drop(world);
   openOffers_.clear();
-  world.balls = initial_;
   std::ranges::fill(records_, unknown(generation));
+  gathering_.keep(world.step);
 }
 
 void SharedBalls::drop(World& world) {
   for (std::size_t i = 0; i < records_.size(); ++i) setRole(world, i, Role::Ghost);
   std::ranges::fill(watches_, HandoverWatch{});
-  std::ranges::fill(gathered_, -1);
-  missing_ = records_.size();
   early_.clear();
   views_.clear();
 }
 
-std::int64_t SharedBalls::latestStep() const {
-  return gathered_.empty() ? 0 : std::max<std::int64_t>(0, std::ranges::max(gathered_));
+void SharedBalls::activate(World& world) {
+  for (std::size_t i = 0; i < records_.size(); ++i)
+    if (gathering_.has(i)) place(world, i, world.balls.state(i), gathering_.stepOf(i));
 }
 
-void SharedBalls::activate(World& world) {
-  for (std::size_t i = 0; i < gathered_.size(); ++i)
-    if (gathered_[i] >= 0) place(world, i, world.balls.state(i), gathered_[i]);
+void SharedBalls::setRecord(std::size_t ball, const Record& record, double now) {
+  const Version& old = records_[ball].version;
+  if (!sameTenure(old, record.version) || old.owner != record.version.owner) since_[ball] = now;
+  records_[ball] = record;
 }
 
 std::optional<Drop> SharedBalls::check(const World& world, const BallNews& news) const {
@@ -52,51 +62,94 @@ std::optional<Drop> SharedBalls::check(const World& world, const BallNews& news)
   return std::nullopt;
 }
 
-std::optional<Drop> SharedBalls::gather(World& world, const BallNews& news, Standing standing) {
+std::optional<Drop> SharedBalls::gather(World& world, const BallNews& news, Standing standing,
+                                        double now) {
   const std::size_t i = news.ball;
   if (const auto drop = check(world, news)) return drop;
   const auto next = standing == Standing::Heard ? learnState(records_[i], news.version)
                                                 : learnOffer(records_[i], news.version);
-  if (next) records_[i] = *next;
-  if (!next && gathered_[i] >= 0) return std::nullopt;
+  if (!next) return std::nullopt;
+  setRecord(i, *next, now);
   world.balls.setState(i, news.state);
-  if (gathered_[i] < 0) --missing_;
-  gathered_[i] = news.version.step;
+  gathering_.hear(i, news.version.step, now);
   return std::nullopt;
 }
 
-std::optional<Drop> SharedBalls::hearState(World& world, const BallNews& news, double now) {
+std::optional<Drop> SharedBalls::hearState(World& world, const BallNews& news,
+                                           const Hearing& hearing) {
   if (const auto drop = check(world, news)) return drop;
   const auto next = learnState(records_[news.ball], news.version);
   if (!next) return std::nullopt;
-  records_[news.ball] = *next;
+  countDoubled(world, news, hearing);
+  setRecord(news.ball, *next, hearing.now);
   setRole(world, news.ball, Role::Ghost);
   if (news.version.step > world.step) {
     early_[{news.version.step, news.ball}] = news;
   } else {
-    compareWithView(world, news, now);
+    compareWithView(world, news, hearing.now);
     place(world, news.ball, news.state, news.version.step);
   }
   return std::nullopt;
 }
 
 std::optional<Drop> SharedBalls::hearOffer(World& world, const BallNews& news, const Party& self,
-                                           double now, double patience) {
+                                           const Hearing& hearing) {
   if (const auto drop = check(world, news)) return drop;
   const auto next = learnOffer(records_[news.ball], news.version);
   if (!next) return std::nullopt;
-  records_[news.ball] = *next;
+  countDoubled(world, news, hearing);
+  setRecord(news.ball, *next, hearing.now);
   setRole(world, news.ball, Role::Ghost);
   if (news.version.owner != self.self)
-    openOffers_.push_back({news.ball, news.version, news.state, now + patience});
+    openOffers_.push_back({news.ball, news.version, news.state, hearing.now + hearing.patience});
   if (news.version.step > world.step) {
     early_[{news.version.step, news.ball}] = news;
     return std::nullopt;
   }
-  compareWithView(world, news, now);
+  compareWithView(world, news, hearing.now);
   place(world, news.ball, news.state, news.version.step);
   takeBall(world, news.ball, self);
   return std::nullopt;
+}
+
+void SharedBalls::countDoubled(const World& world, const BallNews& news, const Hearing& hearing) {
+  const bool wasAdopted = records_[news.ball].version.adopter != news.version.adopter;
+  if (world.roles[news.ball] == Role::Ghost || !wasAdopted) return;
+  const double from = std::max(since_[news.ball], hearing.apartSince);
+  counts_.doubledBallSeconds += std::max(0.0, hearing.now - from);
+}
+
+void SharedBalls::hearDigest(std::size_t bucket, const BucketDigest& theirs, double recently,
+                             double now) {
+  gathering_.compare(records_, bucket, theirs, recently, now);
+}
+
+std::vector<std::uint32_t> SharedBalls::wanted(std::size_t bucket, const BucketDigest& theirs,
+                                               Phase theirPhase, const Incarnation& self) const {
+  std::vector<std::uint32_t> balls;
+  const bool agrees = digestSum(records_, bucket, theirs.known) == theirs.sum;
+  const bool isSyncing = theirPhase == Phase::Syncing;
+  if (agrees && !isSyncing) return balls;
+  const std::size_t first = bucket * kBallsInBucket;
+  const std::size_t end = std::min(first + kBallsInBucket, records_.size());
+  for (std::size_t ball = first; ball < end; ++ball) {
+    if (!owns(records_[ball], self)) continue;
+    const bool counts = theirs.known[ball - first];
+    if (counts ? !agrees : isSyncing) balls.push_back(static_cast<std::uint32_t>(ball));
+  }
+  return balls;
+}
+
+BucketDigest SharedBalls::digest(std::size_t bucket, Phase phase, double settled) const {
+  BucketDigest digest;
+  const std::size_t first = bucket * kBallsInBucket;
+  const std::size_t end = std::min(first + kBallsInBucket, records_.size());
+  for (std::size_t ball = first; ball < end; ++ball)
+    digest.known[ball - first] = phase == Phase::Active
+                                     ? since_[ball] <= settled
+                                     : gathering_.has(ball) && records_[ball].version.step >= 0;
+  digest.sum = digestSum(records_, bucket, digest.known);
+  return digest;
 }
 
 void SharedBalls::applyDue(World& world, const Party& self) {
@@ -141,7 +194,7 @@ void SharedBalls::offerNearer(World& world, const Party& self, std::span<const P
     const auto receiver =
         std::ranges::find(receivers, nearer, [](const Party& party) { return party.self.peer; });
     if (receiver == receivers.end() || !mayOffer(records_[i], self, *receiver)) continue;
-    records_[i] = offer(records_[i], self, *receiver, world.step);
+    setRecord(i, offer(records_[i], self, *receiver, world.step), now);
     setRole(world, i, Role::Ghost);
     openOffers_.push_back({i, records_[i].version, world.balls.state(i), now});
     ++counts_.handoversGiven;
@@ -161,19 +214,20 @@ void SharedBalls::adoptOrphans(World& world, const Party& self, Leases& leases,
     }
     if (!mayAdopt(records_[i], self, ended ? Life::Ended : Life::Lasts)) continue;
     const std::size_t rank = adoptionRank(world.balls.position[i], self.self.peer, wells);
-    if (now >= *ended + adoptionWait(rank, wells.size(), lease)) adoptBall(world, i, self);
+    if (now >= *ended + adoptionWait(rank, wells.size(), lease)) adoptBall(world, i, self, now);
   }
 }
 
 void SharedBalls::adoptAll(World& world, const Party& self, const Leases& leases, double now) {
   for (std::size_t i = 0; i < records_.size(); ++i) {
     const bool lives = leases.isLiving(records_[i].version.owner, now);
-    if (mayAdopt(records_[i], self, lives ? Life::Lasts : Life::Ended)) adoptBall(world, i, self);
+    if (mayAdopt(records_[i], self, lives ? Life::Lasts : Life::Ended))
+      adoptBall(world, i, self, now);
   }
 }
 
-void SharedBalls::adoptBall(World& world, std::size_t ball, const Party& self) {
-  records_[ball] = adopt(records_[ball], self, world.step);
+void SharedBalls::adoptBall(World& world, std::size_t ball, const Party& self, double now) {
+  setRecord(ball, adopt(records_[ball], self, world.step), now);
   setRole(world, ball, Role::Owned);
   ++counts_.adoptions;
 }

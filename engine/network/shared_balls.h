@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "network/drops.h"
+#include "network/gathering.h"
 #include "network/session_options.h"
 #include "network/view_history.h"
 #include "ownership/adoption.h"
@@ -40,6 +41,14 @@ struct BallCounts {
   std::int64_t handoversGiven = 0;
   std::int64_t handoversTaken = 0;
   std::int64_t adoptions = 0;
+  double doubledBallSeconds = 0;  // simulated here and by an adopter, who won; from above
+};
+
+/// When a message came, and what its sender's silence before it means.
+struct Hearing {
+  double now = 0;         // s
+  double apartSince = 0;  // s; the sender may have adopted our balls since then; now: it did not
+  double patience = 1;    // s that an offer to others may take before it is repeated from here
 };
 
 class SharedBalls {
@@ -52,41 +61,44 @@ class SharedBalls {
 
   // Changes of the session as a whole.
 
-  /// `founder` founds a generation and owns everything.
-  void found(World& world, const Generation& generation, const Incarnation& founder);
+  /// `founder` founds a generation, with the initial states, and owns everything.
+  void found(World& world, const Generation& generation, const Incarnation& founder, double now);
 
   /// Starts over in another generation: initial states, records that know nothing.
   void enter(World& world, const Generation& generation);
 
-  /// Gives everything up after our own loop stood still. Records stay (a version never goes back),
-  /// and so do open offers; every state has to be heard again.
+  /// Gives everything up after our own loop stood still: a new incarnation knows no more than a
+  /// joiner. The states stay, in case that nobody else is left to hear them from.
+  void forget(World& world, const Generation& generation);
+
+  /// Gives up acting as the owner of anything; records stay.
   void drop(World& world);
 
-  /// Balls of which no state was heard since enter() or drop().
-  std::size_t missing() const { return missing_; }
-
-  /// The latest step of the states that were heard since then.
-  std::int64_t latestStep() const;
+  /// What is held of each ball since enter() or forget().
+  const Gathering& gathering() const { return gathering_; }
 
   /// Ends the gathering: all states are brought to world.step.
   void activate(World& world);
 
   // What others say. Only of members that are active in our generation.
 
-  /// While gathering: keeps the newest state of each ball. A state will do whose version is less
-  /// than our record: we may be the only one to know that record, because its owner, ourselves
-  /// perhaps, has gone before it was heard. Once active we shall adopt the ball or repeat the
-  /// offer.
-  std::optional<Drop> gather(World& world, const BallNews& news, Standing standing);
+  /// While gathering: keeps the newest state of each ball.
+  std::optional<Drop> gather(World& world, const BallNews& news, Standing standing, double now);
 
   /// While active: an owner's state.
-  std::optional<Drop> hearState(World& world, const BallNews& news, double now);
+  std::optional<Drop> hearState(World& world, const BallNews& news, const Hearing& hearing);
 
   /// While active: an offer, to us (`self`) or to somebody else. Offers to others are repeated from
-  /// here, too, if their receiver is not heard for `patience` (s): the one who made the offer may
-  /// be gone.
-  std::optional<Drop> hearOffer(World& world, const BallNews& news, const Party& self, double now,
-                                double patience);
+  /// here, too, if their receiver is not heard for a while: the one who made the offer may be gone.
+  std::optional<Drop> hearOffer(World& world, const BallNews& news, const Party& self,
+                                const Hearing& hearing);
+
+  /// While gathering: an active peer's digest of a bucket. `recently` as in Gathering.
+  void hearDigest(std::size_t bucket, const BucketDigest& theirs, double recently, double now);
+
+  /// While active: our own balls of a bucket that a peer in this phase seems not to know rightly.
+  std::vector<std::uint32_t> wanted(std::size_t bucket, const BucketDigest& theirs,
+                                    Phase theirPhase, const Incarnation& self) const;
 
   /// Applies what was heard early and holds at world.step. Call at every step.
   void applyDue(World& world, const Party& self);
@@ -105,6 +117,10 @@ class SharedBalls {
 
   /// Adopts every ball whose owner is not alive, without waiting: nobody else is there.
   void adoptAll(World& world, const Party& self, const Leases& leases, double now);
+
+  /// What `self` tells others of a bucket: active, of the balls whose owner has been known since
+  /// `settled` (s); syncing, of those of which it holds a state.
+  BucketDigest digest(std::size_t bucket, Phase phase, double settled) const;
 
   /// Notes that the state at world.step is published, and returns its version.
   Version publish(const World& world, std::size_t ball, const Party& self);
@@ -129,19 +145,21 @@ class SharedBalls {
 
  private:
   std::optional<Drop> check(const World& world, const BallNews& news) const;
+  void setRecord(std::size_t ball, const Record& record, double now);
   void setRole(World& world, std::size_t ball, Role role);
+  void countDoubled(const World& world, const BallNews& news, const Hearing& hearing);
   /// Sets the state that holds at `step` <= world.step, brought to world.step.
   void place(World& world, std::size_t ball, const BallState& state, std::int64_t step);
   void takeBall(World& world, std::size_t ball, const Party& self);
-  void adoptBall(World& world, std::size_t ball, const Party& self);
+  void adoptBall(World& world, std::size_t ball, const Party& self, double now);
   void compareWithView(const World& world, const BallNews& news, double now);
 
   Predictor predict_;
   Balls initial_;
   std::vector<Record> records_;
+  std::vector<double> since_;  // s; when the tenure of each record began or was learned
   std::vector<HandoverWatch> watches_;
-  std::vector<std::int64_t> gathered_;  // step of the state that was gathered; -1: none
-  std::size_t missing_ = 0;
+  Gathering gathering_;
   std::size_t ghosts_ = 0;
   std::map<std::pair<std::int64_t, std::size_t>, BallNews> early_;  // by (step, ball)
   std::vector<OpenOffer> openOffers_;

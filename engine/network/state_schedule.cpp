@@ -34,6 +34,14 @@ void StateSchedule::observe(const World& world) {
   }
 }
 
+void StateSchedule::want(std::uint32_t ball, double time) {
+  if (balls_[ball].sent < time) balls_[ball].isUrgent = true;
+}
+
+void StateSchedule::wantAll() {
+  for (Ball& ball : balls_) ball.isUrgent = ball.isUrgent || ball.wasOwned;
+}
+
 std::vector<std::uint32_t> StateSchedule::pick(const World& world, const StatePace& pace,
                                                double now) {
   due_.clear();

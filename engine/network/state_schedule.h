@@ -24,6 +24,12 @@ class StateSchedule {
   /// Looks at what the last step did to the velocities.
   void observe(const World& world);
 
+  /// Somebody needs the state of an owned ball: it is urgent, unless it was sent since `time` (s).
+  void want(std::uint32_t ball, double time);
+
+  /// All owned balls are urgent.
+  void wantAll();
+
   /// The owned balls whose states are to be sent now, in rising order. They count as sent.
   std::vector<std::uint32_t> pick(const World& world, const StatePace& pace, double now);
 

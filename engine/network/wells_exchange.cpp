@@ -40,17 +40,34 @@ void addOwnTrack(Tracks& tracks, PeerId self, const OwnWell& well, std::int64_t 
 
 void extendOwnTrack(Tracks& tracks, PeerId self, const OwnWell& well, std::int64_t step) {
   std::vector<WellKeyframe>& keys = trackOf(tracks, self).keyframes;
+  // After a pause of ours everybody has the well at rest, and it must not move in their past.
+  if (keys.back().step < step) {
+    keys.push_back(keys.back());
+    keys.back().step = lastMultiple(step) + kInputDelay - kKeyframeInterval;
+  }
   while (keys.back().step < step + kInputDelay) {
-    const std::int64_t next = keys.back().step + kKeyframeInterval;
+    const std::int64_t next = lastMultiple(keys.back().step) + kKeyframeInterval;
     keys.push_back(well.at(self, next));
     keys.back().step = next;
   }
 }
 
-gravity_wells::wells_t wellMessage(const Tracks& tracks, PeerId self) {
-  const WellTrack& track = *std::ranges::find(tracks, self, &WellTrack::peer);
+void switchOff(Tracks& tracks, PeerId gone, std::int64_t step) {
+  std::vector<WellKeyframe>& keys = trackOf(tracks, gone).keyframes;
+  if (keys.empty()) return;
+  const std::int64_t after = std::max(keys.back().step, step + kInputDelay);
+  const std::int64_t between = lastMultiple(after) + kKeyframeInterval + kKeyframeInterval / 2;
+  keys.push_back({between, keys.back().position, 0});
+}
+
+bool isSwitchedOff(const WellTrack& track) {
+  return !track.keyframes.empty() && track.keyframes.back().strength == 0;
+}
+
+gravity_wells::wells_t wellMessage(const Tracks& tracks, PeerId peer) {
+  const WellTrack& track = *std::ranges::find(tracks, peer, &WellTrack::peer);
   gravity_wells::wells_t message;
-  message.peer = value(self);
+  message.peer = value(peer);
   message.softening = track.softening;
   const auto& keys = track.keyframes;
   message.count =
@@ -64,10 +81,11 @@ gravity_wells::wells_t wellMessage(const Tracks& tracks, PeerId self) {
   return message;
 }
 
-void learnTrack(Tracks& tracks, PeerId peer, const gravity_wells::wells_t& message) {
-  WellTrack& track = trackOf(tracks, peer);
+TrackNews learnTrack(Tracks& tracks, const gravity_wells::wells_t& message, std::int64_t step) {
+  WellTrack& track = trackOf(tracks, PeerId{message.peer});
   track.softening = message.softening;
   auto& keys = track.keyframes;
+  TrackNews news = TrackNews::None;
   for (const gravity_wells::well_keyframe_t& key : message.keyframes) {
     const auto place = std::ranges::lower_bound(keys, key.step, {}, &WellKeyframe::step);
     if (place != keys.end() && place->step == key.step) continue;
@@ -75,12 +93,14 @@ void learnTrack(Tracks& tracks, PeerId peer, const gravity_wells::wells_t& messa
     if (place == keys.begin() && !keys.empty()) continue;
     keys.insert(place,
                 {key.step, Vec3{key.position[0], key.position[1], key.position[2]}, key.strength});
+    news = std::max(news, key.step < step ? TrackNews::Late : TrackNews::InTime);
   }
+  return news;
 }
 
-void removeTracks(Tracks& tracks, const std::function<bool(PeerId)>& isGone) {
+void removeTracks(Tracks& tracks, const std::function<bool(const WellTrack&)>& superfluous) {
   std::erase_if(
-      tracks, [&](const WellTrack& track) { return track.peer != kNobody && isGone(track.peer); });
+      tracks, [&](const WellTrack& track) { return track.peer != kNobody && superfluous(track); });
 }
 
 void pruneTracks(Tracks& tracks, std::int64_t step) {

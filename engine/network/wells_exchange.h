@@ -34,14 +34,30 @@ void addOwnTrack(Tracks& tracks, PeerId self, const OwnWell& well, std::int64_t 
 /// Makes the keyframes that are due at `step`. They lie at multiples of the interval.
 void extendOwnTrack(Tracks& tracks, PeerId self, const OwnWell& well, std::int64_t step);
 
-/// The last keyframes of our well, without a header.
-gravity_wells::wells_t wellMessage(const Tracks& tracks, PeerId self);
+/// Switches the well of a peer that is gone off, after the input delay. Its owner's keyframes lie
+/// at multiples of the interval and these between them, so that all tracks can be united. Should
+/// the owner still live, its next keyframe switches the well on again.
+void switchOff(Tracks& tracks, PeerId gone, std::int64_t step);
 
-/// Takes what is new in another peer's message. A keyframe that we have is never changed.
-void learnTrack(Tracks& tracks, PeerId peer, const gravity_wells::wells_t& message);
+/// True when the last keyframe of the track has strength 0.
+bool isSwitchedOff(const WellTrack& track);
 
-/// Removes the wells of the peers (never the fixed ones) for whom `isGone`.
-void removeTracks(Tracks& tracks, const std::function<bool(PeerId)>& isGone);
+/// The last keyframes of a peer's well, without a header.
+gravity_wells::wells_t wellMessage(const Tracks& tracks, PeerId peer);
+
+/// What a message changed.
+enum class TrackNews : std::uint8_t {
+  None,
+  InTime,  // for steps to come
+  Late,    // for steps that are done: what we computed in them was wrong
+};
+
+/// Takes what is new in a message to a peer that stands at `step`. A keyframe that we have is never
+/// changed.
+TrackNews learnTrack(Tracks& tracks, const gravity_wells::wells_t& message, std::int64_t step);
+
+/// Removes the peers' wells (never the fixed ones) that are `superfluous`.
+void removeTracks(Tracks& tracks, const std::function<bool(const WellTrack&)>& superfluous);
 
 /// Forgets keyframes that nothing after step - kKeptSteps needs.
 void pruneTracks(Tracks& tracks, std::int64_t step);

@@ -30,7 +30,7 @@ inline gravity_wells::ball_state_t goodBall(std::int32_t id) {
           .spin = {0.1, 0, 7}};
 }
 
-inline gravity_wells::heartbeat_t goodHeartbeat() {
+inline gravity_wells::heartbeat_t goodHeartbeat(int buckets = 0) {
   gravity_wells::heartbeat_t m;
   m.header = goodHeader();
   m.started = 1'699'999'990'000'000;
@@ -39,12 +39,17 @@ inline gravity_wells::heartbeat_t goodHeartbeat() {
   m.paused = 0;
   m.lease_ms = 2000;
   m.balls_owned = 7;
+  m.settings_digest = 5;
+  m.first_bucket = 0;
+  m.buckets = buckets;
+  m.digests.assign(static_cast<std::size_t>(buckets), {});
   return m;
 }
 
 inline gravity_wells::wells_t goodWells(int count = 3) {
   gravity_wells::wells_t m;
   m.header = goodHeader();
+  m.peer = 3;
   m.softening = 2;
   m.count = count;
   for (int i = 0; i < count; ++i)
@@ -86,11 +91,43 @@ inline gravity_wells::statistics_t goodStatistics() {
   m.simulation_rate = 59.9;
   m.kinetic_energy = 1e9;
   m.potential_energy = -1e9;
+  m.reasons = 2;
+  m.drops = {{"replayed", 3}, {"not owner", 1}};
+  m.peers = 1;
+  m.views = {
+      {.peer_id = 2, .phase = 2, .lease_left_ms = 1900, .clock_offset_ms = -3, .steps_behind = 1}};
+  return m;
+}
+
+inline gravity_wells::setting_t goodSetting() {
+  return {.key = "Gravity",
+          .value = "reversed",
+          .version = 3,
+          .setter = -12,
+          .set_by = "ada@lab-3",
+          .from_step = 700};
+}
+
+inline gravity_wells::settings_t goodSettings(int count = 2) {
+  gravity_wells::settings_t m;
+  m.header = goodHeader();
+  m.count = count;
+  m.settings.assign(static_cast<std::size_t>(count), goodSetting());
+  return m;
+}
+
+inline gravity_wells::request_t goodRequest() {
+  gravity_wells::request_t m;
+  m.header = goodHeader();
+  m.header.peer_id = 0;
+  m.count = 1;
+  m.settings = {goodSetting()};
   return m;
 }
 
 inline std::vector<Message> goodMessages() {
-  return {goodHeartbeat(), goodWells(), goodStates(), goodOffers(), goodConfig(), goodStatistics()};
+  return {goodHeartbeat(), goodWells(),      goodStates(),   goodOffers(),
+          goodConfig(),    goodStatistics(), goodSettings(), goodRequest()};
 }
 
 }  // namespace wells

@@ -62,9 +62,21 @@ TEST(Codec, EveryTypeComesBackAsItWasSent) {
 TEST(Codec, TheLargestMessagesFitOneEthernetFrame) {
   gravity_wells::world_config_t config = goodConfig();
   config.canonical.assign(kMaxCanonicalBytes, 'x');
+  gravity_wells::settings_t settings = goodSettings(kMaxSettingsInMessage);
+  for (auto& setting : settings.settings) {
+    setting.key.assign(kMaxSettingKey, 'k');
+    setting.value.assign(kMaxSettingValue, 'v');
+    setting.set_by.assign(kMaxSettingAuthor, 'a');
+  }
+  gravity_wells::statistics_t statistics = goodStatistics();
+  statistics.reasons = kMaxDropReasonsInMessage;
+  statistics.drops.assign(kMaxDropReasonsInMessage, {std::string(kMaxDropReason, 'r'), 1});
+  statistics.peers = kMaxViewsInMessage;
+  statistics.views.assign(kMaxViewsInMessage, {});
   for (const Message& message :
        {Message(goodStates(kMaxBallsInMessage)), Message(goodOffers(kMaxBallsInMessage)),
-        Message(goodWells(kMaxKeyframesInMessage)), Message(config)}) {
+        Message(goodWells(kMaxKeyframesInMessage)), Message(config),
+        Message(goodHeartbeat(kMaxBucketsInMessage)), Message(settings), Message(statistics)}) {
     const Bytes bytes = bytesOf(message);
     EXPECT_LE(bytes.size(), kMaxMessageBytes);
     EXPECT_TRUE(std::holds_alternative<Message>(decodeOn(message, bytes)));
@@ -98,8 +110,9 @@ TEST(Codec, RefusesTrailingBytesAndWhatIsTooLarge) {
 
 TEST(Codec, RefusesCountsThatTheBytesDoNotBack) {
   // Fingerprint and header take 72 bytes.
-  const std::pair<Message, std::size_t> counts[] = {
-      {goodWells(), 80}, {goodStates(), 80}, {goodOffers(), 92}, {goodConfig(), 80}};
+  const std::pair<Message, std::size_t> counts[] = {{goodWells(), 84},    {goodStates(), 80},
+                                                    {goodOffers(), 92},   {goodConfig(), 80},
+                                                    {goodSettings(), 72}, {goodRequest(), 72}};
   for (const auto& [message, offset] : counts) {
     const Bytes good = bytesOf(message);
     for (const std::uint32_t count : {0u, 2'000u, 0x7fffffffu, 0x80000000u, 0xffffffffu}) {
@@ -121,7 +134,7 @@ TEST(Codec, RefusesForeignChannelsTypesAndProtocols) {
   other[0] ^= std::byte{1};  // of the fingerprint
   EXPECT_EQ(std::get<Drop>(decode("WELLS_HEARTBEAT", other, kLimits)), Drop::Undecodable);
   gravity_wells::heartbeat_t m = goodHeartbeat();
-  m.header.protocol = 2;
+  m.header.protocol = gravity_wells::peer_header_t::PROTOCOL + 1;
   EXPECT_EQ(dropOf(m), Drop::WrongProtocol);
 }
 
@@ -147,6 +160,8 @@ TEST(Codec, RefusesEveryNumberOutsideItsRange) {
       [](auto& m) { m.lease_ms = 3'600'000; },
       [](auto& m) { m.balls_owned = 26; },
       [](auto& m) { m.balls_owned = -1; },
+      [](auto& m) { m.first_bucket = -1; },
+      [](auto& m) { m.first_bucket = 1; },  // 25 balls lie in one bucket
   };
   for (std::size_t i = 0; i < std::size(headers); ++i) {
     gravity_wells::heartbeat_t m = goodHeartbeat();
@@ -177,6 +192,8 @@ TEST(Codec, RefusesEveryNumberOutsideItsRange) {
   }
 
   const std::function<void(gravity_wells::wells_t&)> wells[] = {
+      [](auto& m) { m.peer = 0; },
+      [](auto& m) { m.peer = 256; },
       [](auto& m) { m.softening = 0; },
       [](auto& m) { m.softening = kNaN; },
       [](auto& m) { m.keyframes[1].strength = kInfinity; },
@@ -199,6 +216,27 @@ TEST(Codec, RefusesEveryNumberOutsideItsRange) {
   gravity_wells::statistics_t statistics = goodStatistics();
   statistics.max_overlap = kNaN;
   EXPECT_EQ(dropOf(statistics), Drop::OutOfRange);
+  statistics = goodStatistics();
+  statistics.drops[0].reason = "\x1b[2J";
+  EXPECT_EQ(dropOf(statistics), Drop::OutOfRange) << "it would clear somebody's terminal";
+
+  const std::function<void(gravity_wells::setting_t&)> settings[] = {
+      [](auto& s) { s.key.clear(); },
+      [](auto& s) { s.key.assign(1, '\n'); },
+      [](auto& s) { s.value.assign(1, '\x7f'); },
+      [](auto& s) { s.set_by.assign(1, '\x1b'); },
+      [](auto& s) { s.version = 0; },
+      [](auto& s) { s.version = -1; },
+      [](auto& s) { s.from_step = -1; },
+  };
+  for (std::size_t i = 0; i < std::size(settings); ++i) {
+    gravity_wells::settings_t m = goodSettings();
+    settings[i](m.settings.back());
+    EXPECT_EQ(dropOf(m), Drop::OutOfRange) << "damage " << i;
+  }
+  gravity_wells::request_t request = goodRequest();
+  request.header.peer_id = 1;
+  EXPECT_EQ(dropOf(request), Drop::OutOfRange) << "a peer sets by settings_t";
 }
 
 // Whatever comes in, decode() returns; what it lets through can be encoded again to the same bytes.

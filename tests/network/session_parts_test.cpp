@@ -44,7 +44,7 @@ TEST(SequenceWindow, ALeapForgetsWhatLiesBehindIt) {
 constexpr PaceRule kRule{.stepRate = 60, .slack = 3, .maxAhead = 30, .maxCatchUp = 4};
 
 TEST(Pace, AloneOneStepATick) {
-  EXPECT_EQ(stepsDue(100, {}, kRule, 0), 1);
+  EXPECT_EQ(stepsDue(100, 0, {}, kRule, 0), 1);
   EXPECT_FALSE(frontStep({}, kRule, 0));
 }
 
@@ -57,18 +57,18 @@ TEST(Pace, CountsTheStepsThatAnotherHasProbablyDoneSinceItWasHeard) {
 
 TEST(Pace, CatchesUpInPortionsAndIgnoresAFewSteps) {
   const PeerPace peers[] = {{.step = 100, .heardAt = 5}};
-  EXPECT_EQ(stepsDue(97, peers, kRule, 5), 1);
-  EXPECT_EQ(stepsDue(96, peers, kRule, 5), 4);
-  EXPECT_EQ(stepsDue(0, peers, kRule, 5), 4);
+  EXPECT_EQ(stepsDue(97, 0, peers, kRule, 5), 1);
+  EXPECT_EQ(stepsDue(96, 0, peers, kRule, 5), 4);
+  EXPECT_EQ(stepsDue(0, 0, peers, kRule, 5), 4);
 }
 
 TEST(Pace, WaitsForTheSlowestThatIsHeardAndNotPaused) {
   const PeerPace slow[] = {{.step = 100, .heardAt = 5}};
-  EXPECT_EQ(stepsDue(130, slow, kRule, 5), 1);
-  EXPECT_EQ(stepsDue(131, slow, kRule, 5), 0);
-  EXPECT_EQ(stepsDue(231, slow, kRule, 5.51), 1) << "silent: it may be gone";
+  EXPECT_EQ(stepsDue(130, 0, slow, kRule, 5), 1);
+  EXPECT_EQ(stepsDue(131, 0, slow, kRule, 5), 0);
+  EXPECT_EQ(stepsDue(231, 0, slow, kRule, 5.51), 1) << "silent: it may be gone";
   const PeerPace paused[] = {{.step = 100, .heardAt = 5, .progress = Progress::Paused}};
-  EXPECT_EQ(stepsDue(131, paused, kRule, 5), 1);
+  EXPECT_EQ(stepsDue(131, 0, paused, kRule, 5), 1);
 }
 
 World fallingBalls(std::size_t count) {
@@ -183,7 +183,7 @@ TEST(WellsExchange, OthersSeeTheWellThatItsOwnerSees) {
     extendOwnTrack(own, owner, lineWell(), step);
     pruneTracks(own, step);
     if (step % 7 != 0) continue;  // all other messages are lost
-    learnTrack(other, owner, wellMessage(own, owner));
+    learnTrack(other, wellMessage(own, owner), 0);
     pruneTracks(other, step);
     for (std::int64_t at = std::max<std::int64_t>(step - 100, 100); at <= step + 12; ++at) {
       EXPECT_EQ(wellAt(own[1], at, 1).position, wellAt(other[1], at, 1).position) << at;
@@ -209,7 +209,7 @@ TEST(WellsExchange, TracksAreInOneOrderWhoeverCameFirst) {
   Tracks tracks{{.keyframes = {{0, Vec3::Zero(), 1}}, .softening = 1, .peer = kNobody}};
   for (const int id : {3, 1, 2}) addOwnTrack(tracks, PeerId{id}, lineWell(), 0, Appearance::AtOnce);
   for (int i = 0; i < 4; ++i) EXPECT_EQ(value(tracks[static_cast<std::size_t>(i)].peer), i);
-  removeTracks(tracks, [](PeerId peer) { return peer != PeerId{2}; });
+  removeTracks(tracks, [](const WellTrack& track) { return track.peer != PeerId{2}; });
   ASSERT_EQ(tracks.size(), 2u) << "the fixed one stays";
   EXPECT_EQ(tracks[1].peer, PeerId{2});
 }
@@ -219,9 +219,9 @@ TEST(WellsExchange, AKeyframeOnceHeardIsNeverChanged) {
   addOwnTrack(tracks, PeerId{1}, lineWell(), 0, Appearance::AtOnce);
   Tracks other;
   gravity_wells::wells_t message = wellMessage(tracks, PeerId{1});
-  learnTrack(other, PeerId{1}, message);
+  learnTrack(other, message, 0);
   message.keyframes[1].position[0] = 1e6;
-  learnTrack(other, PeerId{1}, message);
+  learnTrack(other, message, 0);
   EXPECT_EQ(other[0].keyframes[1].position.x(), tracks[0].keyframes[1].position.x());
 }
 

@@ -1,0 +1,55 @@
+// What a peer that syncs has of each ball: the step of the state that it holds, and when it was
+// last made sure that its record of the ball is the one that the active peers know.
+//
+// A record is confirmed by an active peer's digest. That counts the balls whose owner it has known
+// for a while; the others are changing hands right then, and one that was itself heard of lately
+// is as good as confirmed.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "ownership/digest.h"
+
+namespace wells {
+
+class Gathering {
+ public:
+  explicit Gathering(std::size_t balls);
+
+  /// Holds nothing.
+  void restart();
+
+  /// Holds states of `step` from before, of which nothing is confirmed any more.
+  void keep(std::int64_t step);
+
+  /// A state of `step`, or an offer with it, was heard and is held.
+  void hear(std::size_t ball, std::int64_t step, double now);
+
+  /// An active peer's digest of `bucket`, held against our records. What was heard since
+  /// `recently` (s) counts as heard lately.
+  void compare(std::span<const Record> records, std::size_t bucket, const BucketDigest& theirs,
+               double recently, double now);
+
+  bool has(std::size_t ball) const { return steps_[ball] >= 0; }
+  std::int64_t stepOf(std::size_t ball) const { return steps_[ball]; }
+
+  /// Balls of which no state is held.
+  std::size_t missing() const { return missing_; }
+
+  /// True when a state of every ball is held and all were confirmed since `time` (s).
+  bool isComplete(double time) const;
+
+  /// Of the states that are held; 0: none.
+  std::int64_t latestStep() const;
+
+ private:
+  std::vector<std::int64_t> steps_;  // of the state that is held; -1: none
+  std::vector<double> heardAt_;      // s
+  std::vector<double> confirmedAt_;  // s
+  std::size_t missing_ = 0;
+};
+
+}  // namespace wells
