@@ -9,11 +9,13 @@
 
 #include "math/step_timer.h"
 #include "network/multicast_check.h"
+#include "network/socket_drops.h"
 
 namespace wells {
 namespace {
 
 constexpr std::chrono::milliseconds kReceivePatience{50};
+constexpr std::chrono::seconds kLookInterval{1};
 
 double checkedRate(double rate) {
   if (!(rate > 0)) {
@@ -71,6 +73,7 @@ void LcmTransport::open() {
   if (granted.receiveBuffer < url_.receiveBuffer) {
     note_ = clippedBufferNote(granted.receiveBuffer, url_.receiveBuffer);
   }
+  const std::set<int> others = udpSocketsOn(url_.port);
   lcm_.reset(lcm_create(granted.text().c_str()));
   if (!lcm_) throw TransportError("LCM could not be opened on " + granted.text());
 
@@ -83,6 +86,8 @@ void LcmTransport::open() {
   if (!subscription) throw TransportError("LCM could not listen on " + granted.text());
   // LCM's default of 30 drops the rest of a burst without a word.
   lcm_subscription_set_queue_capacity(subscription, static_cast<int>(kInboxCapacity));
+  sockets_ = udpSocketsOn(url_.port);
+  for (const int other : others) sockets_.erase(other);
 }
 
 void LcmTransport::publish(std::string_view channel, std::span<const std::byte> bytes) {
@@ -113,11 +118,23 @@ void LcmTransport::receive(const lcm_recv_buf_t& message, std::string_view chann
 }
 
 void LcmTransport::receiveLoop(const std::stop_token& stop) {
+  using Clock = std::chrono::steady_clock;
   blockSignals();
+  auto nextLook = Clock::now();
   while (!stop.stop_requested()) {
     const int handled = lcm_handle_timeout(lcm_.get(), static_cast<int>(kReceivePatience.count()));
     if (handled < 0) std::this_thread::sleep_for(kReceivePatience);
+    if (Clock::now() < nextLook) continue;
+    nextLook = Clock::now() + kLookInterval;
+    lookAtSocket();
   }
+}
+
+void LcmTransport::lookAtSocket() {
+  std::int64_t dropped = 0;
+  for (const int socket : sockets_) dropped += droppedAtSocket(socket);
+  const std::lock_guard lock(inMutex_);
+  in_.droppedByKernel = dropped;
 }
 
 void LcmTransport::sendLoop(const std::stop_token& stop) {
@@ -171,6 +188,7 @@ TransportCounts LcmTransport::counts() const {
   counts.messagesReceived = in_.messagesReceived;
   counts.bytesReceived = in_.bytesReceived;
   counts.droppedReceiving = in_.droppedReceiving;
+  counts.droppedByKernel = in_.droppedByKernel;
   return counts;
 }
 

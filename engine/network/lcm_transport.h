@@ -8,6 +8,7 @@
 #include <chrono>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -83,6 +84,7 @@ class LcmTransport final : public Transport {
   };
 
   void open();
+  void lookAtSocket();
   void receiveLoop(const std::stop_token& stop);
   void sendLoop(const std::stop_token& stop);
   void sendOutbox();
@@ -93,6 +95,7 @@ class LcmTransport final : public Transport {
   std::string note_;
   std::atomic<double> targetRate_;
   std::unique_ptr<_lcm_t, Closer> lcm_;
+  std::set<int> sockets_;  // on which lcm_ listens: one, which it owns
 
   mutable std::mutex inMutex_;  // guards the next two
   MessageQueue inbox_{kInboxCapacity};

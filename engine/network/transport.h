@@ -23,6 +23,7 @@ struct TransportCounts {
   std::int64_t bytesReceived = 0;
   std::int64_t droppedSending = 0;    // could not be sent
   std::int64_t droppedReceiving = 0;  // too large, or no room in our queue
+  std::int64_t droppedByKernel = 0;   // no room in the socket's buffer; up to a second old
 };
 
 class Transport {

@@ -160,6 +160,26 @@ TEST(LcmTransport, NobodyPollsAndTheRestIsCountedAsDropped) {
   EXPECT_EQ(drain(b).size(), LcmTransport::kInboxCapacity);
 }
 
+TEST(LcmTransport, WhatTheKernelDropsIsCounted) {
+  // Linux grants no less than 2304 bytes, which is one small message or two.
+  LcmTransport ours("udpm://239.255.76.67:9212?ttl=0&recv_buf_size=1", kRate);
+  LcmTransport other(lcmUrl(9212, 0), kRate);
+  lcm_t* foreign = lcm_create(lcmUrl(9212, 0).c_str());
+  ASSERT_NE(foreign, nullptr);
+  constexpr std::int64_t kMessages = 5000;
+  for (std::int64_t i = 0; i < kMessages; ++i) lcm_publish(foreign, "WELLS_TEST", "x", 1);
+  lcm_destroy(foreign);
+  // On loopback each message comes or is dropped at the socket, and each has a socket of its own.
+  for (const LcmTransport* transport : {&ours, &other}) {
+    EXPECT_TRUE(waitUntil([&] {
+      const TransportCounts counts = transport->counts();
+      return counts.messagesReceived + counts.droppedByKernel == kMessages;
+    })) << transport->counts().messagesReceived
+        << " received, " << transport->counts().droppedByKernel << " dropped";
+  }
+  EXPECT_GT(ours.counts().droppedByKernel, 0);
+}
+
 TEST(LcmTransport, WhatWaitsIsSentBeforeItEnds) {
   const std::string url = lcmUrl(9208, 0);
   LcmTransport b(url, kRate);
