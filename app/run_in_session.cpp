@@ -9,6 +9,8 @@
 #include "network/session.h"
 #include "peer_runs.h"
 #include "run_recorder.h"
+#include "setting_checks.h"
+#include "values.h"
 #include "world/measures.h"
 #include "world_setup.h"
 
@@ -59,7 +61,13 @@ class SessionRun {
     RunReport& report = recorder_.report();
     if (begun_) report.ballsOwnedMax = std::max(report.ballsOwnedMax, ballsOwnedHere());
     if (begun_ && !ended_ && session_.isSettled(world)) end();
+    obeyNetworkRate();
     passOnMeasures();
+  }
+
+  void obeyNetworkRate() {
+    const Register* rate = session_.settings().inForce(setting::kNetworkRate, setup_.world.step);
+    if (rate && link_.lcm) link_.lcm->setTargetRate(parseNumber(rate->value));
   }
 
   void begin() {

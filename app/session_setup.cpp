@@ -12,6 +12,7 @@
 #include "network/codec.h"
 #include "network/memory_transport.h"
 #include "predictors.h"
+#include "setting_checks.h"
 #include "world_setup.h"
 
 namespace wells {
@@ -67,6 +68,7 @@ SessionOptions makeSessionOptions(const PeerOptions& options, const World& initi
   session.well.softening = motion.softening();
   session.well.at = [&motion](PeerId peer, std::int64_t step) { return motion.at(peer, step); };
   session.predict = makePredictor(options.engine);
+  session.checkSetting = checkPeerSetting;
   session.notice = std::move(notice);
   return session;
 }
