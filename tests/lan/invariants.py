@@ -62,8 +62,7 @@ class Invariants:
         for tenure in self._published:
             self._check_grant(tenure)
         for tenure, offerers in self._offerers.items():
-            before = tenure._replace(epoch=tenure.epoch - 1)
-            if self._owner.get(before) not in offerers:
+            if self._owner_before(tenure) not in offerers:
                 self._tell("given by a stranger", f"{tenure}, said only by {offerers}")
         return self.violations
 
@@ -127,6 +126,15 @@ class Invariants:
         if last is not None and version < last:
             self._tell("version went back", f"peer {header.peer_id}: {version} after {last}")
         self._last_version[header.incarnation, tenure.ball] = version
+
+    # Whose it was to give: the owner may have given it away before it ever published it.
+    def _owner_before(self, tenure):
+        before = tenure._replace(epoch=tenure.epoch - 1)
+        if before.epoch > 0:
+            return self._owner.get(before)
+        if before.term > 0:
+            return before.adopter, before.adopter_incarnation
+        return self._founder.get(before.generation)
 
     # Nobody publishes a ball that it has not founded, adopted or been given.
     def _check_grant(self, tenure):
