@@ -21,7 +21,7 @@ void Contacts::hear(const gravity_wells::heartbeat_t& heartbeat, const Generatio
   const Incarnation who{PeerId{header.peer_id}, header.incarnation};
   Heard* heard = find(who);
   if (!heard) heard = &heard_.emplace_back(Heard{.who = who});
-  if (header.sequence <= heard->sequence) return;
+  if (header.sequence <= heard->sequences.highest()) return hear(header, generation, now);
   if (heard->generation != generationOf(header)) heard->step = -1;
   heard->generation = generationOf(header);
   heard->phase = static_cast<Phase>(heartbeat.phase);
@@ -32,9 +32,7 @@ void Contacts::hear(const gravity_wells::heartbeat_t& heartbeat, const Generatio
 void Contacts::hear(const gravity_wells::peer_header_t& header, const Generation& generation,
                     double now) {
   Heard* heard = find({PeerId{header.peer_id}, header.incarnation});
-  // One that was overtaken, or played back, says nothing new.
-  if (!heard || header.sequence <= heard->sequence) return;
-  heard->sequence = header.sequence;
+  if (!heard || !heard->sequences.accept(header.sequence)) return;
   const bool isMember = generation.exists() && generationOf(header) == generation &&
                         heard->generation == generation &&
                         (heard->phase == Phase::Syncing || heard->phase == Phase::Active);

@@ -37,7 +37,7 @@ class Contacts {
     Generation generation{};
     Phase phase = Phase::Joining;
     bool isPaused = false;
-    std::int64_t sequence = 0;
+    SequenceWindow sequences{};
     std::int64_t step = -1;
     double since = kNever;     // s, since when it has been steady
     double renewed = kNever;   // s

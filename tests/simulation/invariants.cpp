@@ -14,8 +14,7 @@ void Invariants::report(Invariant invariant, double now, std::string what) {
 
 void Invariants::claim(std::size_t ball, const Version& version, double now) {
   if (version.owner == Incarnation{}) return;
-  const auto [known, isNew] = owners_[ball].try_emplace(
-      {version.generation, version.term, version.adopter, version.epoch}, version.owner);
+  const auto [known, isNew] = owners_[ball].try_emplace(tenureOf(version), version.owner);
   if (known->second == version.owner) return;
   report(Invariant::OneOwnerEver, now,
          fmt::format("ball {} is {}'s and {}'s in the tenure {}", ball, describe(known->second),
@@ -32,7 +31,8 @@ void Invariants::observe(const PeerView& peer, double now,
 
   for (std::size_t i = 0; i < balls_; ++i) {
     if (!isFinite(peer.balls->state(i))) complain(Invariant::Complete, i, "is not finite");
-    if ((peer.roles[i] == Role::Owned) != peer.owns(i))
+    const bool isOver = peer.phase == Phase::Leaving;  // its world is nobody's concern any more
+    if (!isOver && (peer.roles[i] == Role::Owned) != peer.owns(i))
       complain(Invariant::RolesMatch, i,
                fmt::format("is {} in the world; {}, {}",
                            peer.roles[i] == Role::Owned ? "owned" : "a ghost", name(peer.phase),
@@ -60,12 +60,20 @@ void Invariants::observe(const PeerView& peer, double now,
       complain(Invariant::VersionsRise, i, describe(before) + " became " + describe(after));
     const bool isAdopted = after.version.term > before.version.term &&
                            after.version.adopter == peer.self && after.version.epoch == 0;
-    if (isAdopted && before.version.owner != peer.self && wasHeard(before.version.owner))
+    if (isAdopted && areAll(i, before.version, after.version, wasHeard))
       complain(Invariant::LivingKeepTheirs, i, "is adopted from " + describe(before));
     if (!sameTenure(before.version, after.version) || before.version.owner != after.version.owner)
       learn(process, peer, i, now);
     process.records[i] = after;
   }
+}
+
+bool Invariants::areAll(std::size_t ball, const Version& from, const Version& to,
+                        const std::function<bool(const Incarnation&)>& heard) const {
+  const auto& owners = owners_[ball];
+  const auto end = owners.lower_bound(tenureOf(to));
+  return std::all_of(owners.lower_bound(tenureOf(from)), end,
+                     [&](const auto& tenure) { return heard(tenure.second); });
 }
 
 void Invariants::learn(Process& process, const PeerView& peer, std::size_t ball, double now) {
@@ -119,12 +127,15 @@ void Invariants::group(std::span<const PeerView> peers, double now) {
       complain(Invariant::OneActsAsOwner, fmt::format("has {} owners", owners));
       continue;
     }
-    if (std::ranges::none_of(peers, [&](const PeerView& peer) {
-          return peer.self == latest->records[i].version.owner;
-        })) {
+    const Version& version = latest->records[i].version;
+    const auto named = std::ranges::find(peers, version.owner, &PeerView::self);
+    if (named == peers.end()) {
       complain(Invariant::OneActsAsOwner, "has no owner, and nobody here is named");
       continue;
     }
+    // One that lags knows of it and waits for its own step.
+    if (named->records[i].version == version && version.step > named->step) continue;
+    if (named->losesMessages) continue;
     Unowned& unowned = unowned_[{peers.front().self, i}];
     if (now - unowned.seen > lease_ / 2) unowned.since = now;
     unowned.seen = now;

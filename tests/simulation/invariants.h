@@ -60,6 +60,8 @@ struct PeerView {
   Incarnation self{};
   Phase phase = Phase::Joining;
   Generation generation{};
+  std::int64_t step = 0;
+  bool losesMessages = false;  // its receive buffer is too small
   std::span<const Record> records;
   std::span<const Role> roles;
   const Balls* balls = nullptr;
@@ -116,6 +118,12 @@ class Invariants {
     std::vector<std::vector<Known>> history;  // by ball; the last second and one before
   };
 
+  static Tenure tenureOf(const Version& v) { return {v.generation, v.term, v.adopter, v.epoch}; }
+
+  /// True for all who have had the ball from one tenure to before another: an adopter may have
+  /// learned of a later hand-over in the same moment.
+  bool areAll(std::size_t ball, const Version& from, const Version& to,
+              const std::function<bool(const Incarnation&)>& heard) const;
   void learn(Process& process, const PeerView& peer, std::size_t ball, double now);
   Version knownFor(int process, std::size_t ball, double seconds, double now) const;
 

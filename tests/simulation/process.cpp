@@ -92,6 +92,8 @@ PeerView Process::view() const {
           .self = session_->self(),
           .phase = session_->phase(),
           .generation = session_->generation(),
+          .step = world_.step,
+          .losesMessages = losesMessages,
           .records = session_->records(),
           .roles = world_.roles,
           .balls = &world_.balls};

@@ -41,6 +41,8 @@ class Process {
 
   int number() const { return birth_.number; }
   int slot() const { return birth_.slot; }
+  /// The one that it has, or wants to have.
+  PeerId id() const { return session_->peer() == kNobody ? birth_.id : session_->peer(); }
   Session& session() { return *session_; }
   const Session& session() const { return *session_; }
   const World& world() const { return world_; }
@@ -62,9 +64,11 @@ class Process {
 
   // The simulator's business.
   double next = 0;                                         // s, when it goes on
+  double ticked = 0;                                       // s, when it last sent
   bool isMidTick = false;                                  // it has received and not yet sent
   bool stallsMidTick = false;                              // when next it has received ...
   double stall = 0;                                        // ... for so long, s
+  bool losesMessages = false;                              // its receive buffer is too small
   double slowness = 1;                                     // factor of the time between two ticks
   std::optional<FaultKind> doom;                           // dies at the next offer, as this says
   std::optional<std::pair<std::size_t, Version>> offered;  // dies when this was answered

@@ -161,6 +161,7 @@ void Run::tick(Process& process) {
     }
   }
   process.isMidTick = false;
+  process.ticked = now_;
   process.send(now_);
   process.next = now_ + process.tick();
   if (!process.isKilled) observe(process);
@@ -193,8 +194,7 @@ void Run::checkGroups() {
     std::vector<Incarnation> selves;
     for (const auto& other : processes_) {
       if (other.get() != &a && !haveHeardEachOther(a, *other, kTwoLeases)) continue;
-      if (other.get() == &a && (a.phase != Phase::Active || now_ - a.activeSince < kTwoLeases))
-        break;
+      if (other.get() == &a && !isAwake(a, kTwoLeases)) break;
       group.push_back(other.get());
       selves.push_back(other->self);
     }
@@ -224,11 +224,13 @@ void Run::checkGroups() {
   invariants_.settled(all, now_);
 }
 
+bool Run::isAwake(const Process& process, double seconds) const {
+  return !process.isKilled && process.phase == Phase::Active &&
+         now_ - process.activeSince >= seconds && now_ - process.ticked <= kLease / 2;
+}
+
 bool Run::haveHeardEachOther(const Process& a, const Process& b, double seconds) const {
-  const auto isReady = [&](const Process& p) {
-    return p.phase == Phase::Active && now_ - p.activeSince >= seconds;
-  };
-  return isReady(a) && isReady(b) && a.generation == b.generation &&
+  return isAwake(a, seconds) && isAwake(b, seconds) && a.generation == b.generation &&
          a.contacts().isSteady(b.self, seconds, now_) &&
          b.contacts().isSteady(a.self, seconds, now_);
 }

@@ -57,6 +57,7 @@ class Run {
   void observe(Process& process);
   void noteChanges(Process& process);
   void checkGroups();
+  bool isAwake(const Process& process, double seconds) const;
   bool haveHeardEachOther(const Process& a, const Process& b, double seconds) const;
   std::vector<PeerView> views() const;
   void countDoubled(double seconds);
@@ -75,6 +76,7 @@ class Run {
   std::vector<Fault> waiting_;          // for their state, until at + kPatience
   std::vector<Fault> lasting_;          // until at + duration
   std::optional<std::int64_t> stopAt_;  // step
+  bool isForged_ = false;               // some messages are not honest
   bool isHealed_ = false;
   bool isStopped_ = false;
   bool isSettled_ = false;

@@ -75,7 +75,7 @@ void Run::strike(const Fault& drawn, Process& process) {
     case FaultKind::DuplicateId:
       if (processes_.size() >= static_cast<std::size_t>(schedule_.peers) + kMostStrangers) return;
       count(fault.kind, process);
-      return launch(schedule_.peers + started_, process.session().peer());
+      return launch(schedule_.peers + started_, process.id());
     case FaultKind::Stall:
       count(fault.kind, process);
       process.next = now_ + fault.duration;
@@ -93,6 +93,9 @@ void Run::strike(const Fault& drawn, Process& process) {
     case FaultKind::Slow:
       process.slowness = 10;
       break;
+    case FaultKind::TinyBuffer:
+      process.losesMessages = true;
+      break;
     default:
       break;
   }
@@ -108,6 +111,7 @@ void Run::strikeNetwork(const Fault& drawn) {
     case FaultKind::ReplayLog:
       return wire_.replay(Fault::kAnySlot, now_ - fault.amount, now_ - fault.amount + kReplayed);
     case FaultKind::Forge:
+      isForged_ = true;
       return wire_.forge(static_cast<std::size_t>(schedule_.balls));
     case FaultKind::Pause:
       pause();
@@ -125,8 +129,10 @@ void Run::last(const Fault& fault) {
 
 void Run::restore(const Fault& fault) {
   trace_.add(now_, "over: {}", name(fault.kind));
-  if (Process* process = inSlot(fault.slot); process && fault.kind == FaultKind::Slow)
-    process->slowness = 1;
+  if (Process* process = inSlot(fault.slot)) {
+    if (fault.kind == FaultKind::Slow) process->slowness = 1;
+    if (fault.kind == FaultKind::TinyBuffer) process->losesMessages = false;
+  }
   if (fault.kind == FaultKind::Pause && !isStopped_) {
     stopAt_.reset();
     for (const auto& process : processes_)
@@ -151,7 +157,9 @@ void Run::pause() {
 }
 
 void Run::start(int slot, FaultKind kind) {
-  if (inSlot(slot)) return;
+  if (slot == Fault::kAnySlot)
+    for (slot = 0; slot < schedule_.peers && inSlot(slot);) ++slot;
+  if (slot == schedule_.peers || inSlot(slot)) return;
   launch(slot, PeerId{slot + 1});
   countAll(kind, processes_.back().get());
   if (kind == FaultKind::RestartStale) wire_.replay(slot, now_ - kStale, now_);

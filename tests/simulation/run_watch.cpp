@@ -70,6 +70,9 @@ void Run::answer(std::size_t ball, const Version& version) {
 }
 
 void Run::received(Process& process, std::string_view channel, Bytes bytes) {
+  const bool isRefused =
+      isForged_ && std::holds_alternative<Drop>(decode(channel, bytes, {.balls = schedule_.balls}));
+  if (isRefused) return;
   const Generation& generation = process.session().generation();
   const int size = static_cast<int>(bytes.size());
   if (channel == kHeartbeats) {
@@ -88,7 +91,7 @@ void Run::observe(Process& process) {
   noteChanges(process);
   invariants_.observe(process.view(), now_, [&](const Incarnation& owner) {
     return std::ranges::any_of(processes_, [&](const auto& other) {
-      return !other->isKilled && other->self == owner && other->gone == 0 &&
+      return other.get() != &process && other->self == owner && other->gone == 0 &&
              haveHeardEachOther(process, *other, kTwoLeases);
     });
   });
