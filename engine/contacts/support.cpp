@@ -15,7 +15,7 @@ constexpr double kHolding = 1 - kRolling;              // friction that rolling 
 constexpr double kSlipNoise = 1e-10;
 constexpr double kTurningShare = 1.0 / 8;      // of the time in which friction ends a slip
 constexpr double kFollowingShare = 1.0 / 256;  // of the slip that friction ends in a stretch
-constexpr double kShortestStep = 1.0 / 4096;   // of a stretch: bounds the work
+constexpr double kShortestStep = 1.0 / 256;    // of a stretch: bounds the work
 
 // A gap this small, of the size of the coordinates, is none for a ball that does not move up or
 // down: flight in many stretches leaves it so.
@@ -86,6 +86,10 @@ struct Held {
   Flat place, velocity, slip;
 };
 
+Held heldAtStart(const Path& path) {
+  return {flat(path.state.position), flat(path.state.velocity), slipOf(path.state, path.radius)};
+}
+
 struct Rate {
   Flat velocity, pull, slip;
 };
@@ -111,8 +115,6 @@ class Rates {
     turns_ = !model.field->wells.empty() || k_ > 0 || length(flat(model.field->gravity)) > 0;
   }
 
-  Flat firstDirection() const { return first_; }
-
   /// The longest step (s) in which friction keeps its direction well enough.
   double longestStep(const Held& now, double t) const {
     const double whole = model_.field->stretch;
@@ -127,6 +129,17 @@ class Rates {
     return slip <= smallSlip(friction)
                ? whole
                : std::min(whole, std::max(kShortestStep * whole, slip / friction));
+  }
+
+  /// > 0 while the motion goes on; <= 0 where it has ended.
+  double continuation(const Held& now, double t) const {
+    const Load load = loadAt(model_, height_, now.place, now.velocity, k_, t);
+    // Whichever is nearer to its end, in m/s^2 of the force that it lacks.
+    if (motion_ == Motion::Rolling)
+      return std::min(load.pressing,
+                      model_.friction * load.pressing - kHolding * length(load.pull));
+    if (model_.friction == 0) return load.pressing;
+    return std::min(load.pressing, dot(now.slip, first_));
   }
 
   Rate operator()(const Held& now, double t) const {
@@ -207,17 +220,6 @@ double zeroOf(F f, double low, double atLow, double high, double atHigh) {
   return high;
 }
 
-/// > 0 while the motion of `path` goes on; <= 0 where it has ended.
-double continuation(const PathModel& model, const Path& path, Flat firstSlip, double t) {
-  const BallState now = stateAt(model, path, t);
-  const Load load = loadOn(model, now, t);
-  // Whichever is nearer to its end, in m/s^2 of the force that it lacks.
-  if (path.motion == Motion::Rolling)
-    return std::min(load.pressing, model.friction * load.pressing - kHolding * length(load.pull));
-  if (model.friction == 0) return load.pressing;
-  return std::min(load.pressing, dot(slipOf(now, path.radius), firstSlip));
-}
-
 }  // namespace
 
 Vec3 slipOnGround(const BallState& ball, double radius) {
@@ -253,7 +255,7 @@ void holdOnGround(const PathModel& model, Path& path) {
 
 BallState heldStateAt(const PathModel& model, const Path& path, double t) {
   const Rates rates(model, path);
-  Held now{flat(path.state.position), flat(path.state.velocity), slipOf(path.state, path.radius)};
+  Held now = heldAtStart(path);
   double left = t - path.start;
   double at = path.start;
   while (left > 0) {
@@ -279,20 +281,23 @@ double endOfMotion(const PathModel& model, const Path& path, double until) {
   const bool isSteady = model.field->wells.empty() && length(flat(model.field->gravity)) == 0;
   if (isSteady && (path.motion == Motion::Rolling || model.friction == 0))
     return std::numeric_limits<double>::infinity();
-  const Flat along = Rates(model, path).firstDirection();
-  const auto f = [&](double t) { return continuation(model, path, along, t); };
-  double low = path.start;
-  double atLow = f(low);
-  const double stretch = std::min(model.field->stretch, until - path.start);
-  if (atLow <= 0) {  // a slip that begins
-    low += kBeginning * stretch;
-    atLow = f(low);
-  }
-  for (double left = until - low; left > 0; left -= stretch) {
-    const double high = left > stretch ? low + stretch : until;
-    const double atHigh = f(high);
-    if (atHigh <= 0 && atLow > 0) return zeroOf(f, low, atLow, high, atHigh);
+  const Rates rates(model, path);
+  Held low = heldAtStart(path);
+  double at = path.start;
+  double atLow = rates.continuation(low, at);
+  // A slip that begins has none at first.
+  const double watched = atLow > 0 ? at : at + kBeginning * model.field->stretch;
+  while (at < until) {
+    const double most = rates.longestStep(low, at);
+    const double next = until - at > most ? at + most : until;
+    const Held high = step(rates, low, at, next - at);
+    const double atHigh = rates.continuation(high, next);
+    if (atHigh <= 0 && atLow > 0 && next > watched) {
+      const auto f = [&](double t) { return rates.continuation(step(rates, low, at, t - at), t); };
+      return zeroOf(f, at, atLow, next, atHigh);
+    }
     low = high;
+    at = next;
     atLow = atHigh;
   }
   return std::numeric_limits<double>::infinity();

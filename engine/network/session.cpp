@@ -51,6 +51,7 @@ void Session::beforeStep(World& world, Times now) {
   }
   fenceAfterStall(world, now);
   applySettings(world);
+  balls_.beginTick();
   transport_.poll([&](std::string_view channel, std::span<const std::byte> bytes) {
     receive(world, channel, bytes, now);
   });

@@ -165,8 +165,9 @@ void SharedBalls::applyDue(World& world, const Party& self) {
 }
 
 void SharedBalls::place(World& world, std::size_t ball, const BallState& state, std::int64_t step) {
-  const std::int64_t from = std::max(step, world.step - kMaxPredicted);
-  world.balls.setState(ball, predict_(world, ball, state, from, world.step));
+  const std::int64_t steps = std::min({world.step - step, kMaxPredicted, predictionLeft_});
+  predictionLeft_ -= steps;
+  world.balls.setState(ball, predict_(world, ball, state, world.step - steps, world.step));
 }
 
 void SharedBalls::takeBall(World& world, std::size_t ball, const Party& self) {

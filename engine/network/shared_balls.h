@@ -57,6 +57,11 @@ class SharedBalls {
   static constexpr std::int64_t kMaxAhead = 120;
   static constexpr std::int64_t kMaxPredicted = 300;
 
+  /// Ball-steps of prediction between two calls of beginTick(); states for which there is nothing
+  /// left are taken as if they were of now. After a stall, or for one who joins, catching up must
+  /// not become the next stall.
+  static constexpr std::int64_t kPredictionBudget = 20'000;
+
   SharedBalls(const World& initial, Predictor predict);
 
   // Changes of the session as a whole.
@@ -99,6 +104,9 @@ class SharedBalls {
   /// While active: our own balls of a bucket that a peer in this phase seems not to know rightly.
   std::vector<std::uint32_t> wanted(std::size_t bucket, const BucketDigest& theirs,
                                     Phase theirPhase, const Incarnation& self) const;
+
+  /// A tick begins.
+  void beginTick() { predictionLeft_ = kPredictionBudget; }
 
   /// Applies what was heard early and holds at world.step. Call at every step.
   void applyDue(World& world, const Party& self);
@@ -163,6 +171,7 @@ class SharedBalls {
   std::size_t ghosts_ = 0;
   std::map<std::pair<std::int64_t, std::size_t>, BallNews> early_;  // by (step, ball)
   std::vector<OpenOffer> openOffers_;
+  std::int64_t predictionLeft_ = kPredictionBudget;
   ViewHistory views_;
   ViewDifference viewDifference_;
   BallCounts counts_;

@@ -71,7 +71,8 @@ void transferArena(auto& bytes, auto& arena) {
 
 void transferWorld(auto& bytes, auto& world) {
   constexpr std::size_t kLeastTrackSize = 8 + 8 + 1;
-  auto& [settings, arena, tracks, balls, roles, step] = world;
+  auto& [settings, arena, tracks, balls, roles, step, leaning] = world;
+  static_cast<void>(leaning);  // derived
   transferSettings(bytes, settings);
   transferArena(bytes, arena);
   bytes.list("wells", tracks, kLeastTrackSize, [&](auto& track) { transferTrack(bytes, track); });

@@ -23,6 +23,10 @@ struct World {
   std::vector<Role> roles;  // by ball; empty: all owned (alone)
   std::int64_t step = 0;    // steps done; time is step * dt
 
+  // By ball: not 0 if other balls held it in the last step. Derived, and filled by our engine where
+  // there are ghosts; empty: unknown.
+  std::vector<std::uint8_t> leaning;
+
   double time() const { return static_cast<double>(step) * settings.dt; }  // s
   bool owns(std::size_t ball) const { return roles.empty() || roles[ball] == Role::Owned; }
 };

@@ -1,5 +1,7 @@
 #include "world/prediction.h"
 
+#include <algorithm>
+
 #include "world/advance.h"
 #include "world/contact_memory.h"
 #include "world/exact_flight.h"
@@ -68,6 +70,12 @@ class LoneBall {
 
 BallState predict(const World& world, std::size_t ball, const BallState& state, std::int64_t from,
                   std::int64_t to) {
+  if (!world.leaning.empty() && world.leaning[ball] != 0) {
+    BallState drifted = state;
+    const auto steps = static_cast<double>(std::max<std::int64_t>(0, to - from));
+    drifted.position += (steps * world.settings.dt) * state.velocity;
+    return drifted;
+  }
   Balls alone;
   alone.add(state, world.balls.radius[ball], world.balls.mass[ball]);
   LoneBall lone(world);

@@ -12,7 +12,8 @@ namespace wells {
 
 /// The state at the start of step `to` of ball number `ball` that has `state` at the start of step
 /// `from` and meets nothing but ground and wall. Uses world.tracks at those steps; world.step and
-/// the other balls do not matter. to < from returns `state`.
+/// the other balls do not matter. to < from returns `state`. A ball that leans on others
+/// (world.leaning) is not alone: it moves on at its velocity, as ghosts in a heap do in the step.
 BallState predict(const World& world, std::size_t ball, const BallState& state, std::int64_t from,
                   std::int64_t to);
 

@@ -90,6 +90,7 @@ class Simulation : public Stepper {
     ++world.step;
     contactMemory_.keep(plan_.ballContacts, plan_.arenaContacts, substepOf(world.settings));
     std::swap(inSubsteps_, nextInSubsteps_);
+    if (!world.roles.empty()) findLeaning(world.leaning);
     keeper_.endStep(world, field_, stepBooks_);
     findQuarantined(world.balls);
     integrator_ = &integrator;
@@ -105,6 +106,14 @@ class Simulation : public Stepper {
       reach_[i] = isFinite(balls.state(i))
                       ? reachOf(field_, balls.state(i), balls.radius[i], world.settings.dt)
                       : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  /// For the prediction of other peers' balls.
+  void findLeaning(std::vector<std::uint8_t>& leaning) const {
+    const auto ghosts = candidates_.isLeaning();
+    leaning.assign(ghosts.begin(), ghosts.end());
+    for (const Contact& c : plan_.ballContacts)
+      if (c.normalImpulse > 0) leaning[c.a] = leaning[c.b] = 1;
   }
 
   void findQuarantined(const Balls& balls) {
