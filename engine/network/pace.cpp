@@ -9,18 +9,19 @@ namespace {
 constexpr double kMaxExtrapolation = 0.25;
 constexpr double kMaxSilence = 0.5;
 
-std::int64_t estimate(const PeerPace& peer, const PaceRule& rule, double now) {
+}  // namespace
+
+std::int64_t estimatedStep(const PeerPace& peer, const PaceRule& rule, double now) {
   if (peer.progress == Progress::Paused) return peer.step;
   const double since = std::clamp(now - peer.heardAt, 0.0, kMaxExtrapolation);
   return peer.step + static_cast<std::int64_t>(since * rule.stepRate);
 }
 
-}  // namespace
-
 std::optional<std::int64_t> frontStep(std::span<const PeerPace> peers, const PaceRule& rule,
                                       double now) {
   std::optional<std::int64_t> front;
-  for (const PeerPace& peer : peers) front = std::max(front.value_or(0), estimate(peer, rule, now));
+  for (const PeerPace& peer : peers)
+    front = std::max(front.value_or(0), estimatedStep(peer, rule, now));
   return front;
 }
 
@@ -29,7 +30,7 @@ int stepsDue(std::int64_t step, double stepTime, std::span<const PeerPace> peers
   for (const PeerPace& peer : peers) {
     const bool isSilent = now - peer.heardAt > kMaxSilence;
     if (peer.progress == Progress::Paused || isSilent) continue;
-    if (step - estimate(peer, rule, now) > rule.maxAhead) return 0;
+    if (step - estimatedStep(peer, rule, now) > rule.maxAhead) return 0;
   }
   const std::int64_t behind = frontStep(peers, rule, now).value_or(step) - step;
   if (behind <= rule.slack) return 1;

@@ -25,6 +25,9 @@ struct PaceRule {
   double longestTick = 0.05;   // ... which together take no longer than this, s
 };
 
+/// The step that a peer has probably reached by now.
+std::int64_t estimatedStep(const PeerPace& peer, const PaceRule& rule, double now);
+
 /// The step of the peer that is furthest, by what it has probably done since it was heard; nothing
 /// without peers.
 std::optional<std::int64_t> frontStep(std::span<const PeerPace> peers, const PaceRule& rule,

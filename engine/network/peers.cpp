@@ -9,6 +9,9 @@
 namespace wells {
 namespace {
 
+// Of a lease, between two heartbeats that count: a record played back at once is only one.
+constexpr double kApart = 1.0 / 50;
+
 bool isMember(const Peer& peer, const Generation& generation) {
   return !peer.isOver && peer.world == WorldMatch::Same && generation.exists() &&
          peer.generation == generation &&
@@ -21,7 +24,8 @@ void Peers::setGeneration(const Generation& generation, double now) {
   generation_ = generation;
   leases_.clear();
   for (const auto& [number, peer] : peers_)
-    if (isMember(peer, generation_)) leases_.expect(peer.who, peer.lease, now);
+    if (isMember(peer, generation_) && now - peer.heardAt < peer.lease)
+      leases_.expect(peer.who, peer.lease, peer.heardAt);
 }
 
 std::optional<Drop> Peers::checkClock(const gravity_wells::peer_header_t& header, Times now) const {
@@ -42,7 +46,10 @@ std::optional<Drop> Peers::hear(const gravity_wells::heartbeat_t& heartbeat, Tim
 
   noteHeard(peer, now.monotonic);
   peer.clockOffset = static_cast<double>(header.utime - now.wallUs) * 1e-6;
-  peer.heartbeats = std::min(peer.heartbeats + 1, 1000);
+  if (peer.heartbeats == 0 || now.monotonic - peer.countedAt >= kApart * peer.lease) {
+    peer.heartbeats = std::min(peer.heartbeats + 1, 1000);
+    peer.countedAt = now.monotonic;
+  }
   // One that was overtaken on its way tells an old phase.
   if (header.sequence < peer.sequences.highest()) return std::nullopt;
 
@@ -79,12 +86,13 @@ std::optional<Drop> Peers::hear(const gravity_wells::peer_header_t& header, Time
 }
 
 bool Peers::isReplaced(const Peer& peer, double now) const {
-  return isMember(peer, generation_) && std::ranges::any_of(peers_, [&](const auto& entry) {
-           const Peer& other = entry.second;
-           return other.who.peer == peer.who.peer && other.who != peer.who &&
-                  isMember(other, generation_) && leases_.isLiving(other.who, now) &&
-                  peer.startedBefore(other.startedUs, other.who.number);
-         });
+  if (!isMember(peer, generation_) || leases_.isLiving(peer.who, now)) return false;
+  return std::ranges::any_of(peers_, [&](const auto& entry) {
+    const Peer& other = entry.second;
+    return other.who.peer == peer.who.peer && other.who != peer.who &&
+           isMember(other, generation_) && leases_.isLiving(other.who, now) &&
+           peer.startedBefore(other.startedUs, other.who.number);
+  });
 }
 
 void Peers::renew(Peer& peer, std::int64_t step, double now) {

@@ -6,9 +6,9 @@
 //  - A sequence number counts once (SequenceWindow). Entries are kept for longer than the clock
 //    tolerance can hide the age of a message, so that a log played back into the group finds either
 //    its sequence numbers or its wall clock refused.
-//  - Of two members with one id, the one that started later counts: the other's lease ends at once,
-//    and it is refused as long as the later one lives. A joiner replaces nobody: it has yet to find
-//    an id.
+//  - A member replaces an earlier one with its id that has been silent for half a lease: that one's
+//    lease ends at once, and it is refused as long as the later one lives. A joiner replaces
+//    nobody: it has yet to find an id.
 //  - A lease that ended otherwise than by a good-bye begins again when the incarnation is heard,
 //    with a new sequence number and an advancing step.
 #pragma once
@@ -43,7 +43,8 @@ struct Peer {
   double lostAt = 0;       // s; when its lease ran out in its last long silence ...
   double foundAt = -1e9;   // ... which ended then, s
   double clockOffset = 0;  // s; its wall clock minus ours, journey time included
-  int heartbeats = 0;      // heard, up to a few
+  int heartbeats = 0;      // heard at different times, up to a few ...
+  double countedAt = 0;    // ... the last of them then, s
   bool isOver = false;     // it said good-bye
   bool isNoted = false;    // the user was told about its world or its clock
   SequenceWindow sequences{};

@@ -136,6 +136,7 @@ class Session {
   void showWell(World& world);
   void tendWells(World& world, Times now);
   Generation greatestHeard(double now) const;
+  Generation greatestOfOthers(double now) const;
 
   // session_receive.cpp
   void receive(World& world, std::string_view channel, std::span<const std::byte> bytes, Times now);

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kConfigPatience = 2;  // s to wait for the config of a foreign world, sent at 1 Hz
 constexpr double kAdoptionInterval = 0.05;  // s between two looks for orphans
+constexpr std::int64_t kMaxLag = 12;        // steps behind us of a peer that we offer balls to
 constexpr std::int64_t kOfferInterval = 6;  // steps between two looks for nearer wells
 
 }  // namespace
@@ -17,6 +18,14 @@ Generation Session::greatestHeard(double now) const {
   Generation greatest = generation_;
   for (const Peer* peer : peers_.audible(now))
     if (peer->phase == Phase::Active) greatest = std::max(greatest, peer->generation);
+  return greatest;
+}
+
+Generation Session::greatestOfOthers(double now) const {
+  Generation greatest;
+  for (const Peer* peer : peers_.audible(now))
+    if (peer->phase == Phase::Active && peer->generation != generation_)
+      greatest = std::max(greatest, peer->generation);
   return greatest;
 }
 
@@ -81,6 +90,14 @@ void Session::synchronise(World& world, Times now) {
     return;
   }
   followGroup(world, now);
+  // Nobody is left of our generation, but there is a lesser one. We have nothing to lose; they
+  // have.
+  if (const Generation lesser = greatestOfOthers(now.monotonic);
+      lesser.exists() && now.monotonic - lastActiveHeard_ > options_.lease) {
+    takeIncarnation(peer(), now);
+    enter(world, lesser, now);
+    return;
+  }
   if (isSynchronised(world, now)) {
     activate(world, now);
   } else if (now.monotonic - lastActiveHeard_ > 2 * options_.lease) {
@@ -161,8 +178,12 @@ void Session::act(World& world, Times now) {
   }
   if (looksForNearer) {
     std::vector<Party> receivers;
-    for (const Peer* peer : peers_.livingActive(now.monotonic))
-      receivers.push_back({peer->who, peer->phase});
+    for (const Peer* peer : peers_.livingActive(now.monotonic)) {
+      const PeerPace pace{peer->step, peer->stepHeardAt, peer->progress};
+      const auto reached = estimatedStep(pace, paceRule(world), now.monotonic);
+      // One that lags could not take a ball before it gets to our step.
+      if (world.step - reached <= kMaxLag) receivers.push_back({peer->who, peer->phase});
+    }
     balls_.offerNearer(world, party(), wells, receivers, options_.handover, now.monotonic);
     nextOffers_ = world.step + kOfferInterval;
   }

@@ -39,6 +39,8 @@ void Session::publish(World& world, Times now) {
   if (isDue(nextHeartbeat_, 1 / options_.heartbeatRate, t)) sendHeartbeat(world, now);
   if (isDue(nextConfig_, 1, t)) sendConfig(world, now);
   if (phase_ != Phase::Active) return;
+  // First what somebody waits for: a receiver with a full buffer hears the beginning only.
+  sendOffers(world, now);
   if (isDue(nextSettings_, kSettingsInterval, t)) sendSettings(world, now);
   if (isDue(nextWell_, kWellInterval, t)) sendWells(world, now);
   if (isDue(nextStates_, 1 / options_.stateRate, t)) {
@@ -47,7 +49,6 @@ void Session::publish(World& world, Times now) {
     if (wells::isPaused(shared_, world.step)) pace.moving = pace.resting;
     sendStates(world, schedule_.pick(world, pace, t), now);
   }
-  sendOffers(world, now);
   if (isDue(nextStatistics_, 1, t)) sendStatistics(world, now);
 }
 

@@ -17,9 +17,9 @@ bool Leases::hear(const Incarnation& who, std::int64_t step, Progress progress, 
   return true;
 }
 
-void Leases::expect(const Incarnation& who, double duration, double now) {
+void Leases::expect(const Incarnation& who, double duration, double time) {
   // Below every step, so that the first message heard renews it.
-  leases_.try_emplace(who, Lease{std::numeric_limits<std::int64_t>::min(), duration, now});
+  leases_.try_emplace(who, Lease{std::numeric_limits<std::int64_t>::min(), duration, time});
 }
 
 void Leases::end(const Incarnation& who, double now) {
@@ -30,7 +30,8 @@ void Leases::end(const Incarnation& who, double now) {
 
 void Leases::supersede(const Incarnation& newest, double now) {
   for (auto& [who, lease] : leases_)
-    if (who.peer == newest.peer && who.number != newest.number && !lease.ended)
+    if (who.peer == newest.peer && who.number != newest.number && !lease.ended &&
+        now - lease.renewed > lease.duration / 2)
       lease.ended = endedAt(lease, now).value_or(now);
 }
 

@@ -8,8 +8,9 @@
 //  - Without renewal it runs out. The same incarnation, heard again and advancing, begins a new
 //  one:
 //    it was suspected wrongly. What was adopted from it meanwhile stays adopted, by its version.
-//  - A newer incarnation of the peer ends it at once: supersede(). Should that one be the first to
-//    go (two machines had the same id, and one took another), the older may be heard again.
+//  - A newer incarnation of the peer ends it at once, if it has been silent for half its time:
+//    supersede(). One that restarted or fenced itself has; of two machines that both got the same
+//    id neither has, and both live until one takes another id.
 //  - A good-bye ends it for good: end().
 #pragma once
 
@@ -32,14 +33,15 @@ class Leases {
   bool hear(const Incarnation& who, std::int64_t step, Progress progress, double duration,
             double now);
 
-  /// Others say that `who` owns something. One who is unknown gets one lease from now on.
-  void expect(const Incarnation& who, double duration, double now);
+  /// Somebody says that `who` was alive at `time`. One who is unknown gets one lease from then on.
+  void expect(const Incarnation& who, double duration, double time);
 
   /// Ends the lease of `who` for good.
   void end(const Incarnation& who, double now);
 
-  /// Ends the leases of every other incarnation of newest.peer. Whether such a one may be heard
-  /// again is for the caller to know: not as long as `newest` lives.
+  /// Ends the leases of every other incarnation of newest.peer that were not renewed for half their
+  /// duration. Whether such a one may be heard again is for the caller to know: not as long as
+  /// `newest` lives.
   void supersede(const Incarnation& newest, double now);
 
   bool isLiving(const Incarnation& who, double now) const { return !endedAt(who, now); }

@@ -89,6 +89,7 @@ struct TestPeer {
   double clockOffset = 0;  // s, of its wall clock
   bool isStalled = false;  // its loop stands still (SIGSTOP)
   std::vector<Record> lastRecords;
+  Incarnation lastSelf;  // whose they are
 };
 
 class Group {
@@ -208,6 +209,9 @@ class Group {
   void check(TestPeer& peer) {
     const std::vector<Record>& records = peer.session->records();
     ASSERT_EQ(records.size(), balls_);
+    // A peer that stood still starts over as a new incarnation.
+    if (peer.lastSelf != peer.session->self()) peer.lastRecords.clear();
+    peer.lastSelf = peer.session->self();
     if (peer.session->phase() != Phase::Joining) {
       for (std::size_t i = 0; i < balls_; ++i) {
         const Version& v = records[i].version;

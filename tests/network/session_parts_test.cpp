@@ -281,15 +281,23 @@ TEST_F(PeersTest, APhaseThatWasOvertakenIsNotHeeded) {
   EXPECT_EQ(peers_.find(11)->phase, Phase::Syncing);
 }
 
-TEST_F(PeersTest, TheIncarnationThatStartedLaterCountsAsLongAsItLives) {
+TEST_F(PeersTest, OneThatComesBackAsANewIncarnationReplacesTheOldOne) {
   EXPECT_FALSE(peers_.hear(heartbeat(1, 11, 1), at(0)));
-  EXPECT_FALSE(peers_.hear(heartbeat(1, 12, 2), at(0)));
-  ASSERT_EQ(peers_.livingActive(0).size(), 1u) << "the old one's lease has ended at once";
-  EXPECT_EQ(peers_.livingActive(0)[0]->who.number, 12);
-  EXPECT_EQ(peers_.hear(heartbeat(1, 11, 1), at(1)), Drop::DeadSender);
-  EXPECT_EQ(peers_.hear(heartbeat(1, 11, 1).header, at(1)), Drop::DeadSender);
-  EXPECT_FALSE(peers_.hear(heartbeat(1, 11, 1), at(3))) << "the newer one is gone";
-  EXPECT_EQ(peers_.livingActive(3)[0]->who.number, 11);
+  EXPECT_FALSE(peers_.hear(heartbeat(1, 12, 2), at(1.1)));
+  ASSERT_EQ(peers_.livingActive(1.1).size(), 1u) << "the old one was silent for half a lease";
+  EXPECT_EQ(peers_.livingActive(1.1)[0]->who.number, 12);
+  EXPECT_EQ(peers_.hear(heartbeat(1, 11, 1), at(2)), Drop::DeadSender);
+  EXPECT_EQ(peers_.hear(heartbeat(1, 11, 1).header, at(2)), Drop::DeadSender);
+  EXPECT_FALSE(peers_.hear(heartbeat(1, 11, 1), at(4))) << "the newer one is gone";
+  EXPECT_EQ(peers_.livingActive(4)[0]->who.number, 11);
+}
+
+TEST_F(PeersTest, OfTwoThatAreHeardWithOneIdBothLive) {
+  EXPECT_FALSE(peers_.hear(heartbeat(1, 11, 1), at(0)));
+  EXPECT_FALSE(peers_.hear(heartbeat(1, 12, 2), at(0.5)));
+  EXPECT_FALSE(peers_.hear(heartbeat(1, 11, 1), at(0.9)));
+  EXPECT_FALSE(peers_.hear(heartbeat(1, 12, 2), at(1.4)));
+  EXPECT_EQ(peers_.livingActive(1.5).size(), 2u) << "nobody's balls may be adopted for that";
 }
 
 TEST_F(PeersTest, AJoinerReplacesNobody) {

@@ -60,20 +60,27 @@ TEST(Leases, AGoodByeOfOneWhoIsUnknownEndsNow) {
   EXPECT_EQ(leases.endedAt(kPeer, 8), 7);
 }
 
-TEST(Leases, ANewIncarnationEndsTheOldOneAtOnceAndDoesNotRenewIt) {
+TEST(Leases, ANewIncarnationEndsTheOldOneThatIsSilentAndDoesNotRenewIt) {
   Leases leases;
   leases.hear(kPeer, 10, Progress::Running, kLease, 0);
-  leases.supersede(kNewer, 0.5);
-  leases.hear(kNewer, 11, Progress::Running, kLease, 0.5);
-  EXPECT_EQ(leases.endedAt(kPeer, 0.5), 0.5);
-  EXPECT_EQ(leases.endedAt(kPeer, 0.9), 0.5);
-  EXPECT_TRUE(leases.isLiving(kNewer, 1));
+  leases.supersede(kNewer, 0.51 * kLease);
+  leases.hear(kNewer, 11, Progress::Running, kLease, 0.51 * kLease);
+  EXPECT_EQ(leases.endedAt(kPeer, 0.51 * kLease), 0.51 * kLease);
+  EXPECT_EQ(leases.endedAt(kPeer, 0.9 * kLease), 0.51 * kLease);
+  EXPECT_TRUE(leases.isLiving(kNewer, kLease));
+}
+
+TEST(Leases, AnotherIncarnationEndsNoneThatIsStillHeard) {
+  Leases leases;
+  leases.hear(kPeer, 10, Progress::Running, kLease, 0);
+  leases.supersede(kNewer, 0.49 * kLease);
+  EXPECT_TRUE(leases.isLiving(kPeer, 0.9 * kLease)) << "two machines have one id";
 }
 
 TEST(Leases, AnOldIncarnationThatOutlivesTheNewOneMayBeHeardAgain) {
   Leases leases;
   leases.hear(kPeer, 10, Progress::Running, kLease, 0);
-  leases.supersede(kNewer, 0.5);
+  leases.supersede(kNewer, 0.6 * kLease);
   EXPECT_FALSE(leases.hear(kPeer, 10, Progress::Running, kLease, 5)) << "it must have advanced";
   EXPECT_TRUE(leases.hear(kPeer, 11, Progress::Running, kLease, 5));
   EXPECT_TRUE(leases.isLiving(kPeer, 6));
