@@ -1,0 +1,213 @@
+#include "search/group.h"
+
+#include <stdexcept>
+
+namespace wells {
+namespace {
+
+/// One rank in each gap between the used ones.
+std::vector<int> freshRanks(unsigned used) {
+  std::vector<int> ranks;
+  int below = 0;
+  for (int rank = 1; rank <= kRanks; ++rank) {
+    if (rank < kRanks && !(used >> rank & 1u)) continue;
+    const int middle = (below + rank) / 2;
+    if (middle == below) throw std::logic_error("search: too many incarnations or foundings");
+    ranks.push_back(middle);
+    below = rank;
+  }
+  return ranks;
+}
+
+std::vector<int> nextNumbers(const Group& group, int peer, const Conduct& conduct) {
+  if (conduct.numbers == Conduct::Numbers::Reused) return {kRanks / 2};
+  return freshRanks(group.numbersUsed[peer]);
+}
+
+void forgetSuspicions(Group& group, int peer) {
+  group.suspects[peer] = 0;
+  for (std::uint8_t& suspects : group.suspects)
+    suspects &= static_cast<std::uint8_t>(~(1u << peer));
+}
+
+void become(Group& group, int peer, const Member& member) {
+  forgetSuspicions(group, peer);
+  group.members[peer] = member;
+  if (member.number != 0)
+    group.numbersUsed[peer] =
+        static_cast<std::uint16_t>(group.numbersUsed[peer] | 1u << member.number);
+  if (member.phase == Phase::Active)
+    group.generations[member.generation - 1].wasActive |= bitOf(peer, member.number);
+}
+
+void activate(Group& group, int peer) {
+  Member& member = group.members[peer];
+  member.phase = Phase::Active;
+  group.generations[member.generation - 1].wasActive |= bitOf(peer, member.number);
+}
+
+/// True when `peer` hears no other active member of its generation.
+bool isAlone(const Group& group, int peer) {
+  for (int other = 0; other < kMaxPeers; ++other) {
+    const Member& member = group.members[other];
+    if (other != peer && isMember(member) && member.phase == Phase::Active &&
+        member.generation == group.members[peer].generation &&
+        !(group.suspects[peer] >> other & 1u))
+      return false;
+  }
+  return true;
+}
+
+class Moves {
+ public:
+  Moves(const Group& group, const Limits& limits, const Conduct& conduct)
+      : group_(group), limits_(limits), conduct_(conduct) {
+    for (int peer = 0; peer < limits.peers; ++peer) {
+      const Member& member = group.members[peer];
+      if (member.number == 0) {
+        restart(peer);
+        continue;
+      }
+      if (member.phase == Phase::Joining) found(peer);
+      enter(peer);
+      if (member.phase == Phase::Syncing) join(peer);
+      if (isMember(member)) suspect(peer);
+      if (member.phase == Phase::Active) fence(peer);
+      crash(peer);
+    }
+  }
+
+  std::vector<GroupMove> take() { return std::move(moves_); }
+
+ private:
+  Group& add(Deed deed, int peer, int subject = 0) {
+    moves_.push_back(
+        {{deed, static_cast<std::uint8_t>(peer), static_cast<std::uint16_t>(subject)}, group_});
+    return moves_.back().to;
+  }
+
+  void restart(int peer) {
+    if (group_.restarts >= limits_.restarts) return;
+    for (const int number : nextNumbers(group_, peer, conduct_)) {
+      Group& to = add(Deed::Restart, peer);
+      ++to.restarts;
+      become(to, peer, {Phase::Joining, static_cast<std::uint8_t>(number), 0});
+    }
+  }
+
+  void found(int peer) {
+    if (group_.foundings >= limits_.foundings) return;
+    unsigned used = 0;
+    for (const Era& era : group_.generations)
+      if (era.founded) used |= 1u << era.founded;
+    for (const int rank : freshRanks(used)) {
+      Group& to = add(Deed::Found, peer);
+      to.generations[to.foundings++].founded = static_cast<std::uint8_t>(rank);
+      become(to, peer, {Phase::Active, group_.members[peer].number, to.foundings});
+    }
+  }
+
+  void enter(int peer) {
+    const Member& member = group_.members[peer];
+    for (int generation = 1; generation <= group_.foundings; ++generation) {
+      const bool isGreater =
+          generationOf(group_, generation) > generationOf(group_, member.generation);
+      if (isGreater)
+        become(add(Deed::Enter, peer, generation), peer,
+               {Phase::Syncing, member.number, static_cast<std::uint8_t>(generation)});
+    }
+  }
+
+  void join(int peer) {
+    activate(add(Deed::Activate, peer), peer);
+    if (isAlone(group_, peer)) activate(add(Deed::ActivateAlone, peer), peer);
+  }
+
+  void suspect(int peer) {
+    if (group_.suspicions >= limits_.suspicions) return;
+    for (int other = 0; other < limits_.peers; ++other) {
+      const Member& member = group_.members[other];
+      if (other == peer || !isMember(member) || group_.suspects[peer] >> other & 1u ||
+          member.generation != group_.members[peer].generation)
+        continue;
+      Group& to = add(Deed::Suspect, peer, other);
+      to.suspects[peer] = static_cast<std::uint8_t>(to.suspects[peer] | 1u << other);
+      ++to.suspicions;
+    }
+  }
+
+  void fence(int peer) {
+    if (group_.fences >= limits_.fences) return;
+    const std::uint8_t generation = group_.members[peer].generation;
+    for (const int number : nextNumbers(group_, peer, conduct_)) {
+      const auto next = static_cast<std::uint8_t>(number);
+      Group& to = add(Deed::Fence, peer);
+      ++to.fences;
+      become(to, peer, {Phase::Syncing, next, generation});
+      if (!isAlone(group_, peer)) continue;
+      Group& alone = add(Deed::FenceAlone, peer);
+      ++alone.fences;
+      become(alone, peer, {Phase::Active, next, generation});
+    }
+  }
+
+  void crash(int peer) {
+    if (group_.crashes >= limits_.crashes) return;
+    Group& to = add(Deed::Crash, peer);
+    ++to.crashes;
+    become(to, peer, {});
+  }
+
+  const Group& group_;
+  const Limits& limits_;
+  const Conduct& conduct_;
+  std::vector<GroupMove> moves_;
+};
+
+}  // namespace
+
+Group newGroup(const Limits& limits) {
+  Group group;
+  for (int peer = 0; peer < limits.peers; ++peer)
+    become(group, peer, {Phase::Joining, kRanks / 2, 0});
+  return group;
+}
+
+std::vector<GroupMove> movesOf(const Group& group, const Limits& limits, const Conduct& conduct) {
+  return Moves(group, limits, conduct).take();
+}
+
+Generation generationOf(const Group& group, int generation) {
+  if (generation == 0) return {};
+  return {.foundedUs = group.generations[generation - 1].founded};
+}
+
+Life lifeOf(const Group& group, int peer, const Incarnation& owner, const Conduct& conduct) {
+  if (owner.peer == kNobody) return Life::Ended;
+  const int other = value(owner.peer) - 1;
+  const Member& member = group.members[other];
+  const bool isSame = conduct.lease == Conduct::Lease::OfPeer || member.number == owner.number;
+  const bool runs =
+      isSame && isMember(member) && member.generation == group.members[peer].generation;
+  return runs && !(group.suspects[peer] >> other & 1u) ? Life::Lasts : Life::Ended;
+}
+
+bool mayAwaitNewcomers(const Group& group, int generation, const Limits& limits) {
+  if (group.fences < limits.fences) return true;
+  const bool mayRestart = group.restarts < limits.restarts;
+  for (int peer = 0; peer < limits.peers; ++peer) {
+    const Member& member = group.members[peer];
+    if (member.number == 0 || group.crashes < limits.crashes) {
+      if (mayRestart) return true;
+      if (member.number == 0) continue;
+    }
+    if (generationOf(group, member.generation) < generationOf(group, generation)) return true;
+  }
+  return false;
+}
+
+bool isCalm(const Group& group) {
+  return group.suspicions == 0 && group.crashes == 0 && group.fences == 0 && group.foundings <= 1;
+}
+
+}  // namespace wells

@@ -1,0 +1,130 @@
+// The peers of a session without their balls: who runs, as which incarnation, how far it has come,
+// in which generation, and whom it suspects. Plain data, and every way in which it may change.
+//
+// What is left out, and why nothing is lost by it:
+//  - Clocks, heartbeats and leases. Whatever they decide may happen here at any time, as often as
+//  the
+//    limits allow: to found (heard nobody), to enter any generation that ever had an active member,
+//    to suspect. A dead incarnation may be taken for dead at any time after its death, or never;
+//    one that lives costs one of the false suspicions, which then lasts as long as that incarnation
+//    (a real lease begins again when it is heard, so that less can come of it).
+//  - Partitions: messages that do not come, and suspicions on both sides.
+//  - Leaving. To the others a peer that left is one that crashed, all of whose messages were sent;
+//  and
+//    those are in the network as soon as they can exist (knowledge.h).
+//  - Peer ids that are given up for others: that is a fence and another peer.
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <vector>
+
+#include "ownership/records.h"
+#include "search/limits.h"
+#include "search/transitions.h"
+
+namespace wells {
+
+inline constexpr int kMaxPeers = 3;
+inline constexpr int kMaxGenerations = 3;
+
+/// Incarnation numbers and times of founding are 1 .. kRanks - 1. Only their order matters. Real
+/// ones come in any order (numbers are random, wall clocks differ), so each new one is tried in
+/// every gap between those that were used before, and stands in the gap's middle.
+inline constexpr int kRanks = 16;
+
+struct Member {
+  Phase phase = Phase::Joining;
+  std::uint8_t number = 0;      // incarnation; 0: does not run
+  std::uint8_t generation = 0;  // place in Group::generations + 1; 0: none
+
+  auto operator<=>(const Member&) const = default;
+};
+
+struct Era {
+  std::uint8_t founded = 0;  // rank of the time; 0: not founded
+  // Who ever was active in it, by bitOf(): the others may believe for long after that it still is.
+  std::uint64_t wasActive = 0;
+
+  auto operator<=>(const Era&) const = default;
+};
+
+struct Group {
+  std::array<Member, kMaxPeers> members{};
+  std::array<Era, kMaxGenerations> generations{};
+  std::array<std::uint16_t, kMaxPeers> numbersUsed{};  // bit by number
+  std::array<std::uint8_t, kMaxPeers> suspects{};      // bit by peer, of its present incarnation
+  std::uint8_t suspicions = 0, crashes = 0, restarts = 0, fences = 0, foundings = 0;  // so far
+
+  auto operator<=>(const Group&) const = default;
+};
+
+enum class Deed : std::uint8_t {
+  // of a peer
+  Found,
+  Enter,
+  Activate,
+  ActivateAlone,
+  Suspect,
+  Crash,
+  Restart,
+  Fence,
+  FenceAlone,
+  // with a ball
+  Hear,
+  Take,
+  Offer,
+  Adopt,
+  Publish,
+  Withdraw,
+};
+
+struct Event {
+  Deed deed = Deed::Found;
+  std::uint8_t peer = 0;      // who does it, counted from 0
+  std::uint16_t subject = 0;  // Enter: generation; Suspect: peer; Hear, Offer: the message's word
+};
+
+struct GroupMove {
+  Event event;
+  Group to;
+};
+
+/// Everybody has just started and listens.
+Group newGroup(const Limits& limits);
+
+/// All that may happen to `group` next. Activate may be forbidden by the balls.
+std::vector<GroupMove> movesOf(const Group& group, const Limits& limits, const Conduct& conduct);
+
+inline std::uint64_t bitOf(int peer, int number) {
+  return std::uint64_t{1} << (peer * kRanks + number);
+}
+
+inline Incarnation incarnationOf(int peer, int number) {
+  return {PeerId{peer + 1}, number};
+}
+
+inline Party partyOf(const Group& group, int peer) {
+  const Member& member = group.members[peer];
+  return {incarnationOf(peer, member.number), member.phase};
+}
+
+/// Runs and belongs to a generation.
+inline bool isMember(const Member& member) {
+  return member.number != 0 && (member.phase == Phase::Syncing || member.phase == Phase::Active);
+}
+
+/// That of a member; none for generation 0.
+Generation generationOf(const Group& group, int generation);
+
+/// What `peer` knows, or may believe, of `owner`, an incarnation or nobody.
+Life lifeOf(const Group& group, int peer, const Incarnation& owner, const Conduct& conduct);
+
+/// True when somebody who knows nothing of this generation may yet come to listen in it.
+bool mayAwaitNewcomers(const Group& group, int generation, const Limits& limits);
+
+/// No false suspicion, crash, fence or second founding so far.
+bool isCalm(const Group& group);
+
+}  // namespace wells

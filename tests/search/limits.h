@@ -1,0 +1,25 @@
+// How much the search lets happen. Everything that could go on for ever has a bound here; within
+// the bounds the search is complete.
+#pragma once
+
+#include <cstddef>
+
+namespace wells {
+
+struct Limits {
+  int peers = 3;  // 2 .. 3
+  int balls = 2;  // 1 .. 2
+
+  int epochs = 3;      // of a term, counted from 0: one hand-over less. >= 1
+  int terms = 3;       // of a generation, counted from 0: one adoption in a row less. >= 1
+  int suspicions = 2;  // of incarnations that live: one listener's lease of one incarnation ends
+  int crashes = 1;     // a leave is the same thing (group.h)
+  int restarts = 1;    // of peers that crashed; restarts + fences <= 3
+  int fences = 0;      // an active peer stood still and starts over with a new incarnation
+  int foundings = 1;   // generations, 1 .. 3
+
+  double seconds = 600;
+  std::size_t memory = std::size_t{12} << 30;  // bytes
+};
+
+}  // namespace wells

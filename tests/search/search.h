@@ -1,0 +1,130 @@
+// Breadth-first search through everything that can happen to a group and its balls, within limits.
+// States are kept whole and compared whole, so that none is ever missed: a state is the number of
+// its group and that of each ball's knowledge. Balls are alike, so their order does not count.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "search/healing.h"
+#include "search/model.h"
+#include "search/numbering.h"
+
+namespace wells {
+
+enum class Outcome : std::uint8_t { Closed, Violated, OutOfTime, OutOfMemory };
+
+constexpr std::string_view name(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::Closed:
+      return "closed";
+    case Outcome::Violated:
+      return "violated";
+    case Outcome::OutOfTime:
+      return "out of time";
+    case Outcome::OutOfMemory:
+      return "out of memory";
+  }
+  return "unknown";
+}
+
+struct Progress {
+  std::size_t states = 0;
+  std::size_t expanded = 0;
+  std::size_t transitions = 0;
+  int depth = 0;
+  std::size_t groups = 0;
+  std::size_t knowledge = 0;  // distinct, of single balls
+  double seconds = 0;
+  std::size_t bytes = 0;  // of the tables
+};
+
+struct Result {
+  Outcome outcome = Outcome::Closed;
+  Progress progress;
+  std::string violation;  // what was broken; empty: nothing
+  std::string trace;      // how it comes to that, in the fewest events
+};
+
+class Search {
+ public:
+  Search(const Limits& limits, const Protocol& protocol);
+
+  /// Calls `report` every few seconds.
+  Result run(const std::function<void(const Progress&)>& report = {});
+
+ private:
+  static constexpr int kMaxBalls = 2;
+  struct State {
+    std::uint32_t group = 0;
+    std::array<std::uint32_t, kMaxBalls> balls{};  // rising
+    bool operator==(const State&) const = default;
+  };
+  struct Pair {
+    std::uint32_t group = 0, ball = 0;
+    bool operator==(const Pair&) const = default;
+  };
+  struct GroupStep {
+    Event event;
+    std::uint32_t to = 0;
+  };
+  /// What may happen to one ball in a group: what each of the group's steps makes of it (0: forbids
+  /// it), and what else it may become.
+  struct Steps {
+    std::span<const std::uint32_t> follows, own;
+  };
+  /// A ball's place in the state that is being looked at, for the trace.
+  struct Found {
+    Flaw flaw;
+    std::uint32_t ball = 0;
+  };
+
+  std::uint32_t groupNumber(const Group& group);
+  std::uint32_t ballNumber(const Knowledge& ball);
+  const std::vector<GroupStep>& stepsOfGroup(std::uint32_t group);
+  Steps stepsOfBall(const Pair& pair, int place);
+  void computeSteps(const Pair& pair, std::vector<std::uint32_t>& follows,
+                    std::vector<std::uint32_t>& own);
+  void heal(const Group& group, const Knowledge& ball);
+  void expand(std::uint32_t number);
+  void add(State state);
+  void flush(std::uint32_t parent);
+  Progress progress() const;
+  std::size_t bytes() const;
+  std::string trace(std::uint32_t number, const std::optional<Event>& last, std::uint32_t ball);
+
+  Limits limits_;
+  Protocol protocol_;
+  Model model_;
+  std::map<Group, std::uint32_t> groupNumbers_;
+  std::vector<const Group*> groups_;
+  std::vector<std::vector<GroupStep>> groupSteps_;
+  RowNumbering balls_;
+  Numbering<State> states_;
+  Chunks<std::uint32_t> parents_;
+  Numbering<Pair> pairs_;
+  Chunks<std::uint32_t> pairSteps_;
+  std::vector<std::size_t> pairStarts_;
+  Numbering<std::array<std::uint16_t, 10>> healed_;
+
+  // Reused.
+  struct Scratch {
+    std::vector<std::uint32_t> follows, own;
+  };
+  std::array<Scratch, kMaxBalls> scratch_;
+  std::vector<BallMove> moves_;
+  std::vector<Word> words_;
+  std::vector<std::pair<State, std::uint64_t>> pending_;
+
+  std::size_t transitions_ = 0;
+  std::size_t expanded_ = 0;
+  int depth_ = 0;
+  std::chrono::steady_clock::time_point start_;
+};
+
+}  // namespace wells

@@ -1,0 +1,99 @@
+#include "search/trace.h"
+
+#include <fmt/format.h>
+
+namespace wells {
+namespace {
+
+// P2#8: peer 2 in its incarnation 8.
+std::string nameOf(const Incarnation& who) {
+  if (who.peer == kNobody) return "nobody";
+  return fmt::format("P{}#{}", value(who.peer), who.number);
+}
+
+std::string nameOf(const Version& version) {
+  if (version.owner == Incarnation{}) return "nothing";
+  std::string lineage =
+      fmt::format("generation {}, term {}", version.generation.foundedUs, version.term);
+  if (version.term > 0) lineage += " by " + nameOf(version.adopter);
+  return fmt::format("{}, epoch {}: {}", lineage, version.epoch, nameOf(version.owner));
+}
+
+}  // namespace
+
+std::string describe(const Event& event, const Group& before, const Group& after,
+                     std::optional<int> ball, const Model& model) {
+  const auto self = [&](const Group& group) {
+    return nameOf(incarnationOf(event.peer, group.members[event.peer].number));
+  };
+  const std::string who = self(before);
+  const std::string what = ball ? fmt::format("ball {}", *ball) : "";
+  switch (event.deed) {
+    case Deed::Found:
+      return fmt::format("{} hears nobody and founds generation {}", who,
+                         generationOf(after, after.members[event.peer].generation).foundedUs);
+    case Deed::Enter:
+      return fmt::format("{} enters generation {}", who,
+                         generationOf(after, event.subject).foundedUs);
+    case Deed::Activate:
+      return who + " has all states and becomes active";
+    case Deed::ActivateAlone:
+      return who + " hears nobody and goes on alone";
+    case Deed::Suspect:
+      return fmt::format("{} suspects P{} wrongly", who, event.subject + 1);
+    case Deed::Crash:
+      return who + " crashes or leaves";
+    case Deed::Restart:
+      return fmt::format("P{} starts again as {}", event.peer + 1, self(after));
+    case Deed::Fence:
+      return fmt::format("{} stood still, starts over as {}", who, self(after));
+    case Deed::FenceAlone:
+      return fmt::format("{} stood still with nobody there, goes on as {}", who, self(after));
+    case Deed::Hear: {
+      const Telling told = model.telling(event.subject);
+      return fmt::format("{} hears the {} of {} ({})", who,
+                         told.news == News::State ? "state" : "offer", what, nameOf(told.version));
+    }
+    case Deed::Take:
+      return fmt::format("{} takes {} and publishes it", who, what);
+    case Deed::Offer:
+      if (event.subject == 0) return fmt::format("{} offers {}", who, what);
+      return fmt::format("{} offers {} to {}", who, what,
+                         nameOf(model.telling(event.subject).version.owner));
+    case Deed::Adopt:
+      return fmt::format("{} adopts {} and publishes it", who, what);
+    case Deed::Publish:
+      return fmt::format("{} publishes {}", who, what);
+    case Deed::Withdraw:
+      return fmt::format("{} withdraws its offer of {}", who, what);
+  }
+  return "?";
+}
+
+std::string describe(const Group& group, std::span<const Knowledge> balls, const Model& model,
+                     const Limits& limits) {
+  std::string text;
+  for (int peer = 0; peer < limits.peers; ++peer) {
+    const Member& member = group.members[peer];
+    if (member.number == 0) {
+      text += fmt::format("     P{} gone\n", peer + 1);
+      continue;
+    }
+    const Party party = partyOf(group, peer);
+    text += fmt::format("     {} {}", nameOf(party.self), name(party.phase));
+    for (std::size_t ball = 0; isMember(member) && ball < balls.size(); ++ball) {
+      const Entry entry = model.entry(balls[ball], peer);
+      const bool isOwn = owns(entry.record, party.self) && party.phase == Phase::Active;
+      const bool isHeard = entry.record.standing == Standing::Heard;
+      text += fmt::format(" | ball {}: {}{}", ball, nameOf(entry.record.version),
+                          isOwn                                         ? " OWNS"
+                          : entry.record.version.owner == Incarnation{} ? ""
+                          : isHeard                                     ? " heard"
+                                                                        : " named");
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace wells
