@@ -124,9 +124,9 @@ struct Schedule {
   std::uint64_t seed = 1;
   int peers = 3;
   int balls = 8;
-  double heal = 42;           // s, when all faults end
-  double stop = 54;           // s, when the world is stopped to compare the views
-  double end = 60;            // s
+  double heal = 48;           // s, when all faults end
+  double stop = 61;           // s, when the world is stopped to compare the views
+  double end = 66;            // s
   double latency = 0;         // s, of a message when nothing is wrong; as much again is jitter
   std::vector<Fault> faults;  // by rising time
 

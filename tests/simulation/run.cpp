@@ -43,8 +43,7 @@ Outcome Run::outcome() {
 }
 
 bool Run::isOver() const {
-  const bool hasFailed = !invariants_.violations().empty() && !trace_.isOn();
-  return hasFailed || isSettled_ || now_ >= schedule_.end;
+  return !invariants_.violations().empty() || isSettled_ || now_ >= schedule_.end;
 }
 
 void Run::run() {
@@ -58,13 +57,12 @@ void Run::run() {
       if (processes_[i]->next <= now_) tick(*processes_[i]);
     bury();
     checkGroups();
-    for (; noted_ < invariants_.violations().size(); ++noted_) {
-      const Violation& violation = invariants_.violations()[noted_];
-      trace_.add(now_, "VIOLATION of \"{}\": {}", name(violation.invariant), violation.what);
-    }
   }
   if (invariants_.violations().empty() && !isSettled_ && !processes_.empty())
     invariants_.report(Invariant::Agree, now_, "the peers' views have not settled");
+  for (const Violation& violation : invariants_.violations())
+    trace_.add(violation.time, "VIOLATION of \"{}\": {}", name(violation.invariant),
+               violation.what);
 }
 
 double Run::nextTime() const {
@@ -242,6 +240,7 @@ std::vector<PeerView> Run::views() const {
 }
 
 void Run::countDoubled(double seconds) {
+  if (!processes_.empty()) tally_.ballSeconds += schedule_.balls * seconds;
   for (std::size_t i = 0; i < static_cast<std::size_t>(schedule_.balls); ++i) {
     int owners = 0;
     for (const auto& process : processes_)

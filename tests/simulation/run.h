@@ -80,7 +80,6 @@ class Run {
   bool isHealed_ = false;
   bool isStopped_ = false;
   bool isSettled_ = false;
-  std::size_t noted_ = 0;  // violations in the trace
 };
 
 }  // namespace wells::simulation

@@ -19,7 +19,7 @@ struct Outcome {
   std::string trace;  // the event log; empty unless it was asked for
 };
 
-/// Runs on after a violation only while a trace is kept.
+/// Ends at the first violation.
 Outcome simulate(const Schedule& schedule, Trace::Keeping keeping = Trace::Keeping::Nothing);
 
 }  // namespace wells::simulation

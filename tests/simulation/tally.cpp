@@ -17,6 +17,7 @@ Tally& Tally::operator+=(const Tally& other) {
   adoptions += other.adoptions;
   fences += other.fences;
   resyncs += other.resyncs;
+  ballSeconds += other.ballSeconds;
   doubledBallSeconds += other.doubledBallSeconds;
   groupChecks += other.groupChecks;
   unsettled += other.unsettled;

@@ -23,6 +23,7 @@ struct Tally {
   std::int64_t adoptions = 0;
   std::int64_t fences = 0;
   std::int64_t resyncs = 0;
+  double ballSeconds = 0;         // in which at least one peer ran
   double doubledBallSeconds = 0;  // more than one peer acted as owner
   std::int64_t groupChecks = 0;   // of peers that had heard each other for two leases
   std::int64_t unsettled = 0;     // runs that could not be compared at the end
