@@ -46,10 +46,20 @@ std::string_view name(Drop reason) {
   return "unknown";
 }
 
+std::vector<std::pair<Drop, std::int64_t>> DropCounts::faults() const {
+  std::vector<std::pair<Drop, std::int64_t>> faults;
+  for (std::size_t i = 0; i < kDropReasons; ++i) {
+    const auto reason = static_cast<Drop>(i);
+    if (reason == Drop::Echo || reason == Drop::NotJoined || counts_[i] == 0) continue;
+    faults.emplace_back(reason, counts_[i]);
+  }
+  return faults;
+}
+
 std::int64_t DropCounts::total() const {
   std::int64_t sum = 0;
-  for (const std::int64_t count : counts_) sum += count;
-  return sum - (*this)[Drop::Echo] - (*this)[Drop::NotJoined];
+  for (const auto& [reason, count] : faults()) sum += count;
+  return sum;
 }
 
 }  // namespace wells

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace wells {
 
@@ -42,6 +44,9 @@ class DropCounts {
  public:
   void add(Drop reason) { ++counts_[static_cast<std::size_t>(reason)]; }
   std::int64_t operator[](Drop reason) const { return counts_[static_cast<std::size_t>(reason)]; }
+
+  /// Those that happened and are faults, in the order of their reasons.
+  std::vector<std::pair<Drop, std::int64_t>> faults() const;
 
   /// Of the faults.
   std::int64_t total() const;

@@ -166,10 +166,15 @@ class Session {
   void addDigests(gravity_wells::heartbeat_t& m, Times now);
   void sendSettings(const World& world, Times now);
   void sendConfig(const World& world, Times now);
-  void sendStatistics(const World& world, Times now);
   void sendWells(const World& world, Times now);
   void sendStates(const World& world, const std::vector<std::uint32_t>& chosen, Times now);
   void sendOffers(const World& world, Times now);
+
+  // session_statistics.cpp
+  void sendStatistics(const World& world, Times now);
+  void addTrafficRates(gravity_wells::statistics_t& m, Times now);
+  void addDrops(gravity_wells::statistics_t& m, const TransportCounts& transport) const;
+  void addPeerViews(gravity_wells::statistics_t& m, const World& world, Times now) const;
 
   // session.cpp
   Party party() const { return {self_, phase_}; }
@@ -217,6 +222,12 @@ class Session {
   double nextForget_ = 0, nextAdoption_ = 0, nextSettings_ = 0;
   std::int64_t nextOffers_ = 0;  // step
 
+  /// Messages and bytes so far, when the statistics were sent last.
+  struct Traffic {
+    double time = 0;  // s
+    std::int64_t messagesSent = 0, messagesReceived = 0, bytesSent = 0, bytesReceived = 0;
+  };
+  Traffic traffic_;
   SessionMeasures measures_;
   SessionCounts counts_;
 };

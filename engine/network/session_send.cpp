@@ -192,35 +192,4 @@ void Session::sendOffers(const World& world, Times now) {
   }
 }
 
-void Session::sendStatistics(const World& world, Times now) {
-  const TransportCounts transport = transport_.counts();
-  const BallCounts& balls = balls_.counts();
-  gravity_wells::statistics_t m{};
-  m.header = header(world, now);
-  m.sim_time = world.time();
-  m.simulation_rate = measures_.simulationRate;
-  m.simulation_target = measures_.simulationTarget;
-  m.network_rate = measures_.networkRate;
-  m.network_target = measures_.networkTarget;
-  m.graphics_rate = measures_.graphicsRate;
-  m.graphics_target = measures_.graphicsTarget;
-  m.kinetic_energy = measures_.kineticEnergy;
-  m.potential_energy = measures_.potentialEnergy;
-  m.max_overlap = measures_.maxOverlap;
-  m.balls_owned = static_cast<std::int32_t>(ballsOwnedHere());
-  m.balls_ghost = static_cast<std::int32_t>(balls_.ghosts());
-  m.peers_heard = static_cast<std::int32_t>(peers_.living(now.monotonic).size());
-  m.handovers_given = balls.handoversGiven;
-  m.handovers_taken = balls.handoversTaken;
-  m.adoptions = balls.adoptions;
-  m.view_difference_max = viewDifference();
-  m.messages_sent = transport.messagesSent;
-  m.messages_received = counts_.accepted;
-  m.messages_dropped =
-      counts_.drops.total() + transport.droppedSending + transport.droppedReceiving;
-  m.bytes_sent = transport.bytesSent;
-  m.bytes_received = transport.bytesReceived;
-  send(m);
-}
-
 }  // namespace wells

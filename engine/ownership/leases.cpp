@@ -53,6 +53,12 @@ std::optional<double> Leases::endedAt(const Lease& lease, double now) const {
   return std::nullopt;
 }
 
+double Leases::runsOutAt(const Incarnation& who, double now) const {
+  if (const auto ended = endedAt(who, now)) return *ended;
+  const Lease& lease = leases_.at(who);
+  return lease.renewed + lease.duration;
+}
+
 void Leases::forget(double time, double now) {
   std::erase_if(leases_, [&](const auto& entry) {
     const auto ended = endedAt(entry.second, now);

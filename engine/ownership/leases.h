@@ -52,6 +52,9 @@ class Leases {
   /// When the lease ended (s); nothing while it lasts. -infinity for one who is unknown.
   std::optional<double> endedAt(const Incarnation& who, double now) const;
 
+  /// When the lease ends if it is not renewed, or has ended (s); -infinity for one who is unknown.
+  double runsOutAt(const Incarnation& who, double now) const;
+
   /// Forgets the leases that ended before `time`.
   void forget(double time, double now);
 
