@@ -11,7 +11,7 @@ constexpr double kNever = -std::numeric_limits<double>::infinity();
 }  // namespace
 
 Gathering::Gathering(std::size_t balls)
-    : steps_(balls, -1), heardAt_(balls, kNever), confirmedAt_(balls, kNever), missing_(balls) {}
+    : steps_(balls, -1), heardAt_(balls, kNever), missing_(balls) {}
 
 void Gathering::restart() {
   *this = Gathering(steps_.size());
@@ -29,19 +29,25 @@ void Gathering::hear(std::size_t ball, std::int64_t step, double now) {
   heardAt_[ball] = now;
 }
 
-void Gathering::compare(std::span<const Record> records, std::size_t bucket,
-                        const BucketDigest& theirs, double recently, double now) {
-  const bool agrees = digestSum(records, bucket, theirs.known) == theirs.sum;
+void Gathering::compare(std::span<const Record> records, const Incarnation& peer,
+                        std::size_t bucket, const BucketDigest& theirs, double recently,
+                        double now) {
+  if (digestSum(records, bucket, theirs.known) != theirs.sum) return;
   const std::size_t first = bucket * kBallsInBucket;
   const std::size_t end = std::min(first + kBallsInBucket, records.size());
-  for (std::size_t ball = first; ball < end; ++ball) {
-    const bool counts = theirs.known[ball - first];
-    if (counts ? agrees : heardAt_[ball] >= recently) confirmedAt_[ball] = now;
-  }
+  for (std::size_t ball = first; ball < end; ++ball)
+    if (!theirs.known[ball - first] && heardAt_[ball] < recently) return;
+  auto& times = agreedAt_.try_emplace(peer, bucketCount(records.size()), kNever).first->second;
+  times[bucket] = now;
 }
 
-bool Gathering::isComplete(double time) const {
-  return missing_ == 0 && std::ranges::all_of(confirmedAt_, [&](double at) { return at >= time; });
+bool Gathering::isComplete(std::span<const Incarnation> peers, double time) const {
+  const auto agrees = [&](const Incarnation& peer) {
+    const auto times = agreedAt_.find(peer);
+    return times != agreedAt_.end() &&
+           std::ranges::all_of(times->second, [&](double at) { return at >= time; });
+  };
+  return missing_ == 0 && !peers.empty() && std::ranges::all_of(peers, agrees);
 }
 
 std::int64_t Gathering::latestStep() const {

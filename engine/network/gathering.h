@@ -1,13 +1,14 @@
-// What a peer that syncs has of each ball: the step of the state that it holds, and when it was
-// last made sure that its record of the ball is the one that the active peers know.
+// What a peer that syncs has of each ball: the step of the state that it holds, and when its
+// records last agreed with those of each active peer.
 //
-// A record is confirmed by an active peer's digest. That counts the balls whose owner it has known
-// for a while; the others are changing hands right then, and one that was itself heard of lately
-// is as good as confirmed.
+// They agree by digests. A digest counts the balls whose owner the active peer has known for a
+// while; the others are changing hands right then, and for those it is enough to have heard of them
+// lately.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -30,8 +31,8 @@ class Gathering {
 
   /// An active peer's digest of `bucket`, held against our records. What was heard since
   /// `recently` (s) counts as heard lately.
-  void compare(std::span<const Record> records, std::size_t bucket, const BucketDigest& theirs,
-               double recently, double now);
+  void compare(std::span<const Record> records, const Incarnation& peer, std::size_t bucket,
+               const BucketDigest& theirs, double recently, double now);
 
   bool has(std::size_t ball) const { return steps_[ball] >= 0; }
   std::int64_t stepOf(std::size_t ball) const { return steps_[ball]; }
@@ -39,16 +40,17 @@ class Gathering {
   /// Balls of which no state is held.
   std::size_t missing() const { return missing_; }
 
-  /// True when a state of every ball is held and all were confirmed since `time` (s).
-  bool isComplete(double time) const;
+  /// True when a state of every ball is held and all records agreed with those of each of `peers`,
+  /// one at least, since `time` (s).
+  bool isComplete(std::span<const Incarnation> peers, double time) const;
 
   /// Of the states that are held; 0: none.
   std::int64_t latestStep() const;
 
  private:
-  std::vector<std::int64_t> steps_;  // of the state that is held; -1: none
-  std::vector<double> heardAt_;      // s
-  std::vector<double> confirmedAt_;  // s
+  std::vector<std::int64_t> steps_;                      // of the state that is held; -1: none
+  std::vector<double> heardAt_;                          // s
+  std::map<Incarnation, std::vector<double>> agreedAt_;  // s, by bucket
   std::size_t missing_ = 0;
 };
 

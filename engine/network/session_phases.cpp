@@ -113,7 +113,10 @@ bool Session::isSynchronised(const World& world, Times now) const {
   // The digests of many balls take turns; each has a few chances to be heard.
   constexpr double kRounds = 3;
   const double recently = now.monotonic - options_.lease - kRounds * digestRound();
-  return knowsSettings_ && knowsAllWells(world, now) && balls_.gathering().isComplete(recently);
+  std::vector<Incarnation> active;
+  for (const Peer* other : peers_.livingActive(now.monotonic)) active.push_back(other->who);
+  return knowsSettings_ && knowsAllWells(world, now) &&
+         balls_.gathering().isComplete(active, recently);
 }
 
 bool Session::isLowest(Times now) const {

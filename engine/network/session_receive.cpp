@@ -82,7 +82,7 @@ void Session::hearDigests(const Peer& other, const gravity_wells::heartbeat_t& m
     const auto bucket = static_cast<std::size_t>(m.first_bucket + i);
     const BucketDigest theirs = digestOf(m.digests[static_cast<std::size_t>(i)]);
     if (phase_ == Phase::Syncing && theirsCount)
-      balls_.hearDigest(bucket, theirs, now.monotonic - options_.lease, now.monotonic);
+      balls_.hearDigest(other.who, bucket, theirs, now.monotonic - options_.lease, now.monotonic);
     if (phase_ != Phase::Active) continue;
     for (const std::uint32_t ball : balls_.wanted(bucket, theirs, other.phase, self_))
       schedule_.want(ball, now.monotonic - kAnswerInterval);
@@ -147,7 +147,7 @@ std::optional<Drop> Session::hear(World& world, const gravity_wells::ball_states
                         stateOf(ball)};
     const auto drop = phase_ == Phase::Active
                           ? balls_.hearState(world, news, hearing(m.header, now))
-                          : balls_.gather(world, news, Standing::Heard, now.monotonic);
+                          : balls_.gather(world, news, Standing::Heard, hearing(m.header, now));
     if (drop) refused = drop;
   }
   return refused;
@@ -166,7 +166,7 @@ std::optional<Drop> Session::hear(World& world, const gravity_wells::offers_t& m
     } else if (phase_ == Phase::Active) {
       drop = balls_.hearOffer(world, news, party(), hearing(m.header, now));
     } else {
-      drop = balls_.gather(world, news, Standing::Named, now.monotonic);
+      drop = balls_.gather(world, news, Standing::Named, hearing(m.header, now));
     }
     if (drop) refused = drop;
   }

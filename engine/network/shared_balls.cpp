@@ -63,15 +63,17 @@ std::optional<Drop> SharedBalls::check(const World& world, const BallNews& news)
 }
 
 std::optional<Drop> SharedBalls::gather(World& world, const BallNews& news, Standing standing,
-                                        double now) {
+                                        const Hearing& hearing) {
   const std::size_t i = news.ball;
   if (const auto drop = check(world, news)) return drop;
   const auto next = standing == Standing::Heard ? learnState(records_[i], news.version)
                                                 : learnOffer(records_[i], news.version);
   if (!next) return std::nullopt;
-  setRecord(i, *next, now);
+  setRecord(i, *next, hearing.now);
   world.balls.setState(i, news.state);
-  gathering_.hear(i, news.version.step, now);
+  gathering_.hear(i, news.version.step, hearing.now);
+  if (standing == Standing::Named)
+    openOffers_.push_back({i, news.version, news.state, hearing.now + hearing.patience});
   return std::nullopt;
 }
 
@@ -119,9 +121,9 @@ void SharedBalls::countDoubled(const World& world, const BallNews& news, const H
   counts_.doubledBallSeconds += std::max(0.0, hearing.now - from);
 }
 
-void SharedBalls::hearDigest(std::size_t bucket, const BucketDigest& theirs, double recently,
-                             double now) {
-  gathering_.compare(records_, bucket, theirs, recently, now);
+void SharedBalls::hearDigest(const Incarnation& peer, std::size_t bucket,
+                             const BucketDigest& theirs, double recently, double now) {
+  gathering_.compare(records_, peer, bucket, theirs, recently, now);
 }
 
 std::vector<std::uint32_t> SharedBalls::wanted(std::size_t bucket, const BucketDigest& theirs,

@@ -87,8 +87,10 @@ class SharedBalls {
 
   // What others say. Only of members that are active in our generation.
 
-  /// While gathering: keeps the newest state of each ball.
-  std::optional<Drop> gather(World& world, const BallNews& news, Standing standing, double now);
+  /// While gathering: keeps the newest state of each ball, and the offers, to be repeated once we
+  /// are active: perhaps nobody else has heard them.
+  std::optional<Drop> gather(World& world, const BallNews& news, Standing standing,
+                             const Hearing& hearing);
 
   /// While active: an owner's state.
   std::optional<Drop> hearState(World& world, const BallNews& news, const Hearing& hearing);
@@ -99,7 +101,8 @@ class SharedBalls {
                                 const Hearing& hearing);
 
   /// While gathering: an active peer's digest of a bucket. `recently` as in Gathering.
-  void hearDigest(std::size_t bucket, const BucketDigest& theirs, double recently, double now);
+  void hearDigest(const Incarnation& peer, std::size_t bucket, const BucketDigest& theirs,
+                  double recently, double now);
 
   /// While active: our own balls of a bucket that a peer in this phase seems not to know rightly.
   std::vector<std::uint32_t> wanted(std::size_t bucket, const BucketDigest& theirs,

@@ -2,12 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace wells {
 namespace {
 
 const Generation kGeneration{0, 1000, 1};
 const Incarnation kA{PeerId{1}, 11};
 const Incarnation kB{PeerId{2}, 22};
+const std::vector<Incarnation> kPeers{kA};
 
 class GatheringTest : public ::testing::Test {
  protected:
@@ -27,43 +30,54 @@ TEST_F(GatheringTest, IsCompleteWhenAllIsHeldAndConfirmed) {
   EXPECT_EQ(gathering_.missing(), 3u);
   gathering_.hear(0, 5, 1.0);
   gathering_.hear(1, 6, 1.0);
-  gathering_.compare(ours_, 0, digestOf({0, 1, 2}), 0, 1.0);
-  EXPECT_FALSE(gathering_.isComplete(0)) << "one is missing";
+  gathering_.compare(ours_, kA, 0, digestOf({0, 1, 2}), 0, 1.0);
+  EXPECT_FALSE(gathering_.isComplete(kPeers, 0)) << "one is missing";
   gathering_.hear(2, 4, 1.1);
-  EXPECT_TRUE(gathering_.isComplete(0));
-  EXPECT_FALSE(gathering_.isComplete(1.05)) << "that was confirmed too long ago";
+  EXPECT_TRUE(gathering_.isComplete(kPeers, 0));
+  EXPECT_FALSE(gathering_.isComplete(kPeers, 1.05)) << "that was confirmed too long ago";
   EXPECT_EQ(gathering_.latestStep(), 6);
 }
 
 TEST_F(GatheringTest, HearingAStateIsNotEnough) {
   for (std::size_t ball = 0; ball < 3; ++ball) gathering_.hear(ball, 5, 1.0);
-  EXPECT_FALSE(gathering_.isComplete(0));
+  EXPECT_FALSE(gathering_.isComplete(kPeers, 0));
 }
 
 TEST_F(GatheringTest, ADigestThatDiffersConfirmsNothingThatItCounts) {
   for (std::size_t ball = 0; ball < 3; ++ball) gathering_.hear(ball, 5, 1.0);
   theirs_[1].version.owner = kB;
   theirs_[1].version.epoch = 1;
-  gathering_.compare(ours_, 0, digestOf({0, 1, 2}), 0, 1.0);
-  EXPECT_FALSE(gathering_.isComplete(0));
-  gathering_.compare(ours_, 0, digestOf({0, 2}), 0.5, 1.0);
-  EXPECT_TRUE(gathering_.isComplete(0)) << "the third changes hands, and was heard of lately";
+  gathering_.compare(ours_, kA, 0, digestOf({0, 1, 2}), 0, 1.0);
+  EXPECT_FALSE(gathering_.isComplete(kPeers, 0));
+  gathering_.compare(ours_, kA, 0, digestOf({0, 2}), 0.5, 1.0);
+  EXPECT_TRUE(gathering_.isComplete(kPeers, 0))
+      << "the third changes hands, and was heard of lately";
 }
 
 TEST_F(GatheringTest, WhatADigestDoesNotCountMustHaveBeenHeardLately) {
   for (std::size_t ball = 0; ball < 3; ++ball) gathering_.hear(ball, 5, 1.0);
-  gathering_.compare(ours_, 0, digestOf({0, 2}), 1.5, 2.0);
-  EXPECT_FALSE(gathering_.isComplete(0));
+  gathering_.compare(ours_, kA, 0, digestOf({0, 2}), 1.5, 2.0);
+  EXPECT_FALSE(gathering_.isComplete(kPeers, 0));
   gathering_.hear(1, 9, 1.9);
-  gathering_.compare(ours_, 0, digestOf({0, 2}), 1.5, 2.0);
-  EXPECT_TRUE(gathering_.isComplete(0));
+  gathering_.compare(ours_, kA, 0, digestOf({0, 2}), 1.5, 2.0);
+  EXPECT_TRUE(gathering_.isComplete(kPeers, 0));
+}
+
+TEST_F(GatheringTest, AllActivePeersMustAgreeAndOneAtLeast) {
+  for (std::size_t ball = 0; ball < 3; ++ball) gathering_.hear(ball, 5, 1.0);
+  gathering_.compare(ours_, kA, 0, digestOf({0, 1, 2}), 0, 1.0);
+  const std::vector<Incarnation> both{kA, kB};
+  EXPECT_FALSE(gathering_.isComplete(both, 0));
+  EXPECT_FALSE(gathering_.isComplete({}, 0));
+  gathering_.compare(ours_, kB, 0, digestOf({0, 1, 2}), 0, 1.0);
+  EXPECT_TRUE(gathering_.isComplete(both, 0));
 }
 
 TEST_F(GatheringTest, StatesFromBeforeAreHeldAndNotConfirmed) {
   gathering_.keep(100);
   EXPECT_EQ(gathering_.missing(), 0u);
   EXPECT_EQ(gathering_.stepOf(1), 100);
-  EXPECT_FALSE(gathering_.isComplete(0));
+  EXPECT_FALSE(gathering_.isComplete(kPeers, 0));
   gathering_.restart();
   EXPECT_EQ(gathering_.missing(), 3u);
 }
