@@ -46,16 +46,17 @@ void activate(Group& group, int peer) {
   group.generations[member.generation - 1].wasActive |= bitOf(peer, member.number);
 }
 
-/// True when `peer` hears no other active member of its generation.
-bool isAlone(const Group& group, int peer) {
-  for (int other = 0; other < kMaxPeers; ++other) {
+/// `group` after `peer` has suspected every other active member of its generation.
+std::optional<Group> alone(const Group& group, int peer, const Limits& limits) {
+  std::optional<Group> next = group;
+  for (int other = 0; other < kMaxPeers && next; ++other) {
     const Member& member = group.members[other];
     if (other != peer && isMember(member) && member.phase == Phase::Active &&
         member.generation == group.members[peer].generation &&
         !(group.suspects[peer] >> other & 1u))
-      return false;
+      next = afterSuspicion(*next, peer, other, limits);
   }
-  return true;
+  return next;
 }
 
 class Moves {
@@ -71,7 +72,6 @@ class Moves {
       if (member.phase == Phase::Joining) found(peer);
       enter(peer);
       if (member.phase == Phase::Syncing) join(peer);
-      if (isMember(member)) suspect(peer);
       if (member.phase == Phase::Active) fence(peer);
       crash(peer);
     }
@@ -120,19 +120,10 @@ class Moves {
 
   void join(int peer) {
     activate(add(Deed::Activate, peer), peer);
-    if (isAlone(group_, peer)) activate(add(Deed::ActivateAlone, peer), peer);
-  }
-
-  void suspect(int peer) {
-    if (group_.suspicions >= limits_.suspicions) return;
-    for (int other = 0; other < limits_.peers; ++other) {
-      const Member& member = group_.members[other];
-      if (other == peer || !isMember(member) || group_.suspects[peer] >> other & 1u ||
-          member.generation != group_.members[peer].generation)
-        continue;
-      Group& to = add(Deed::Suspect, peer, other);
-      to.suspects[peer] = static_cast<std::uint8_t>(to.suspects[peer] | 1u << other);
-      ++to.suspicions;
+    if (const auto group = alone(group_, peer, limits_)) {
+      Group& to = add(Deed::ActivateAlone, peer);
+      to = *group;
+      activate(to, peer);
     }
   }
 
@@ -144,10 +135,12 @@ class Moves {
       Group& to = add(Deed::Fence, peer);
       ++to.fences;
       become(to, peer, {Phase::Syncing, next, generation});
-      if (!isAlone(group_, peer)) continue;
-      Group& alone = add(Deed::FenceAlone, peer);
-      ++alone.fences;
-      become(alone, peer, {Phase::Active, next, generation});
+      if (const auto group = alone(group_, peer, limits_)) {
+        Group& left = add(Deed::FenceAlone, peer);
+        left = *group;
+        ++left.fences;
+        become(left, peer, {Phase::Active, next, generation});
+      }
     }
   }
 
@@ -190,6 +183,14 @@ Life lifeOf(const Group& group, int peer, const Incarnation& owner, const Conduc
   const bool runs =
       isSame && isMember(member) && member.generation == group.members[peer].generation;
   return runs && !(group.suspects[peer] >> other & 1u) ? Life::Lasts : Life::Ended;
+}
+
+std::optional<Group> afterSuspicion(const Group& group, int peer, int other, const Limits& limits) {
+  if (group.suspicions >= limits.suspicions) return std::nullopt;
+  Group next = group;
+  next.suspects[peer] = static_cast<std::uint8_t>(next.suspects[peer] | 1u << other);
+  ++next.suspicions;
+  return next;
 }
 
 bool mayAwaitNewcomers(const Group& group, int generation, const Limits& limits) {

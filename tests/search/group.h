@@ -2,22 +2,22 @@
 // in which generation, and whom it suspects. Plain data, and every way in which it may change.
 //
 // What is left out, and why nothing is lost by it:
-//  - Clocks, heartbeats and leases. Whatever they decide may happen here at any time, as often as
-//  the
-//    limits allow: to found (heard nobody), to enter any generation that ever had an active member,
-//    to suspect. A dead incarnation may be taken for dead at any time after its death, or never;
-//    one that lives costs one of the false suspicions, which then lasts as long as that incarnation
-//    (a real lease begins again when it is heard, so that less can come of it).
+//  - Clocks, heartbeats and leases. Whatever they decide may happen at any time, as often as the
+//    limits allow: to found (heard nobody), to enter any generation that was founded, to suspect.
+//    A dead incarnation may be taken for dead at any time after its death, or never. One that lives
+//    costs one of the false suspicions; that suspicion then lasts as long as the incarnation (a
+//    real lease begins again when it is heard: less can come of it). It is counted when something
+//    is done because of it; before that it would change nothing.
 //  - Partitions: messages that do not come, and suspicions on both sides.
-//  - Leaving. To the others a peer that left is one that crashed, all of whose messages were sent;
-//  and
-//    those are in the network as soon as they can exist (knowledge.h).
+//  - Leaving. To the others a peer that left is one that crashed, all of whose messages were sent,
+//    and those are in the network as soon as they can exist (knowledge.h).
 //  - Peer ids that are given up for others: that is a fence and another peer.
 #pragma once
 
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "ownership/records.h"
@@ -66,7 +66,6 @@ enum class Deed : std::uint8_t {
   Enter,
   Activate,
   ActivateAlone,
-  Suspect,
   Crash,
   Restart,
   Fence,
@@ -76,6 +75,7 @@ enum class Deed : std::uint8_t {
   Take,
   Offer,
   Adopt,
+  AdoptWrongly,
   Publish,
   Withdraw,
 };
@@ -83,7 +83,8 @@ enum class Deed : std::uint8_t {
 struct Event {
   Deed deed = Deed::Found;
   std::uint8_t peer = 0;      // who does it, counted from 0
-  std::uint16_t subject = 0;  // Enter: generation; Suspect: peer; Hear, Offer: the message's word
+  std::uint16_t subject = 0;  // Enter: generation; Hear, Offer: the message's word
+  std::uint16_t basis = 0;    // with a ball: the word of the record that it is done with
 };
 
 struct GroupMove {
@@ -120,6 +121,10 @@ Generation generationOf(const Group& group, int generation);
 
 /// What `peer` knows, or may believe, of `owner`, an incarnation or nobody.
 Life lifeOf(const Group& group, int peer, const Incarnation& owner, const Conduct& conduct);
+
+/// `group` after `peer` has suspected `other`, which lives. Nothing when that would be one too
+/// many.
+std::optional<Group> afterSuspicion(const Group& group, int peer, int other, const Limits& limits);
 
 /// True when somebody who knows nothing of this generation may yet come to listen in it.
 bool mayAwaitNewcomers(const Group& group, int generation, const Limits& limits);

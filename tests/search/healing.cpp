@@ -156,9 +156,8 @@ class Healing {
                                             : rules_.learnOffer(peer.record, version);
       if (!next) continue;
       peer.record = *next;
-      peer.isOpen = news == News::Offer &&
-                    (peer.party.phase == Phase::Active ||
-                     conduct_.gathering == Conduct::Gathering::KeepsOffers);
+      peer.isOpen = news == News::Offer && (peer.party.phase == Phase::Active ||
+                                            conduct_.gathering == Conduct::Gathering::KeepsOffers);
     }
   }
 

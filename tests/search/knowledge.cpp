@@ -44,6 +44,7 @@ Word Versions::number(const Version& version) {
   if (isNew) {
     if (versions_.size() >= kMaxVersions) throw std::out_of_range("search: too many versions");
     versions_.push_back(version);
+    founded_.push_back(static_cast<std::uint8_t>(version.generation.foundedUs));
     tenures_.push_back(
         tenureNumbers_.try_emplace(tenure, static_cast<Word>(tenureNumbers_.size())).first->second);
   }

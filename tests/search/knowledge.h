@@ -49,10 +49,13 @@ class Versions {
   const Version& operator[](Word number) const { return versions_[number]; }
   /// Equal for versions of the same tenure.
   Word tenure(Word number) const { return tenures_[number]; }
+  /// Rank of its generation's founding.
+  std::uint8_t founded(Word number) const { return founded_[number]; }
 
  private:
   std::vector<Version> versions_{1};
   std::vector<Word> tenures_{0};
+  std::vector<std::uint8_t> founded_{0};
   std::unordered_map<std::uint64_t, Word> numbers_, tenureNumbers_;
 };
 

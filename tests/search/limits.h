@@ -3,8 +3,15 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 namespace wells {
+
+/// When a message that came is heeded; model.h says why the second is enough.
+enum class Hearing : std::uint8_t {
+  AtAnyTime,      // every interleaving is a path of its own
+  BeforeActions,  // just before something is done that depends on it
+};
 
 struct Limits {
   int peers = 3;  // 2 .. 3
@@ -18,6 +25,7 @@ struct Limits {
   int fences = 0;      // an active peer stood still and starts over with a new incarnation
   int foundings = 1;   // generations, 1 .. 3
 
+  Hearing hearing = Hearing::BeforeActions;
   double seconds = 600;
   std::size_t memory = std::size_t{12} << 30;  // bytes
 };

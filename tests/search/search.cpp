@@ -9,22 +9,18 @@ namespace {
 
 constexpr std::size_t kLookInterval = 4096;  // states between two looks at time and memory
 constexpr double kReportInterval = 5;        // s
+constexpr std::size_t kGroupBytes = 1000;    // about so much does a group take, its steps included
 
-/// Thrown with the place of the ball whose part is wrong.
+/// Thrown with the place of the ball that is wrong.
 struct FlawOfBall {
   Flaw flaw;
-  std::uint32_t ball = 0;
+  int place = 0;
 };
-
-std::uint16_t packed(const Member& member) {
-  return static_cast<std::uint16_t>(static_cast<int>(member.phase) << 12 | member.number << 4 |
-                                    member.generation);
-}
 
 }  // namespace
 
 Search::Search(const Limits& limits, const Protocol& protocol)
-    : limits_(limits), protocol_(protocol), model_(limits, protocol) {}
+    : limits_(limits), model_(limits, protocol) {}
 
 std::uint32_t Search::groupNumber(const Group& group) {
   const auto [entry, isNew] =
@@ -52,61 +48,40 @@ const std::vector<Search::GroupStep>& Search::stepsOfGroup(std::uint32_t group) 
   return groupSteps_[group];
 }
 
-void Search::heal(const Group& group, const Knowledge& ball) {
-  std::array<std::uint16_t, 10> key{};
-  std::array<Entry, kMaxPeers> entries;
-  for (int peer = 0; peer < kMaxPeers; ++peer) {
-    key[peer] = packed(group.members[peer]);
-    key[3 + peer] = ball.records[peer];
-    key[6 + peer] = group.generations[peer].founded;
-    entries[peer] = model_.entry(ball, peer);
-  }
-  const std::size_t known = healed_.size();
-  healed_.number(key);
-  if (healed_.size() == known) return;
-  for (const Turns turns : {Turns::LowestFirst, Turns::HighestFirst, Turns::AllAtOnce})
-    if (const auto failure = failureToHeal(group, entries, limits_, protocol_, turns))
-      throw Flaw{"does not heal: " + *failure, {}};
-}
-
-void Search::computeSteps(const Pair& pair, std::vector<std::uint32_t>& follows,
-                          std::vector<std::uint32_t>& own) {
-  follows.clear();
-  own.clear();
-  const std::vector<GroupStep>& steps = stepsOfGroup(pair.group);
+void Search::computeSteps(const Pair& pair, Row& row) {
+  row.clear();
   const Group& group = *groups_[pair.group];
   const Knowledge ball(balls_[pair.ball]);
   model_.check(group, ball);
-  heal(group, ball);
-  for (const GroupStep& step : steps) {
-    const auto next = model_.follow(*groups_[step.to], step.event, ball);
-    follows.push_back(next ? ballNumber(*next) : 0);
+  for (const GroupStep& step : stepsOfGroup(pair.group)) {
+    model_.follow(group, *groups_[step.to], step.event, ball, moves_);
+    row.push_back(static_cast<std::uint32_t>(moves_.size()));
+    for (const BallMove& move : moves_) row.push_back(ballNumber(move.to));
   }
   model_.ballMoves(group, ball, moves_);
-  for (const BallMove& move : moves_) own.push_back(ballNumber(move.to));
+  for (const BallMove& move : moves_) {
+    row.push_back(move.group == group ? pair.group : groupNumber(move.group));
+    row.push_back(ballNumber(move.to));
+  }
 }
 
-Search::Steps Search::stepsOfBall(const Pair& pair, int place) {
-  Scratch& scratch = scratch_[place];
+std::span<const std::uint32_t> Search::stepsOfBall(const Pair& pair, int place) {
+  Row& row = rows_[place];
   try {
     if (limits_.balls == 1) {
-      computeSteps(pair, scratch.follows, scratch.own);
-      return {scratch.follows, scratch.own};
+      computeSteps(pair, row);
+      return row;
     }
     const std::uint32_t number = pairs_.number(pair);
-    if (number > pairStarts_.size()) {
-      computeSteps(pair, scratch.follows, scratch.own);
-      std::uint32_t* to = pairSteps_.extend(scratch.follows.size() + scratch.own.size() + 1);
-      pairStarts_.push_back(pairSteps_.size() - scratch.follows.size() - scratch.own.size() - 1);
-      *to++ = static_cast<std::uint32_t>(scratch.own.size());
-      to = std::ranges::copy(scratch.follows, to).out;
-      std::ranges::copy(scratch.own, to);
+    if (number > pairRows_.size()) {
+      computeSteps(pair, row);
+      std::uint32_t* const to = pairSteps_.extend(row.size());
+      std::ranges::copy(row, to);
+      pairRows_.push_back({to, row.size()});
     }
-    const std::uint32_t* const row = &pairSteps_[pairStarts_[number - 1]];
-    const std::size_t follows = stepsOfGroup(pair.group).size();
-    return {{row + 1, follows}, {row + 1 + follows, *row}};
+    return pairRows_[number - 1];
   } catch (const Flaw& flaw) {
-    throw FlawOfBall{flaw, static_cast<std::uint32_t>(place)};
+    throw FlawOfBall{flaw, place};
   }
 }
 
@@ -130,23 +105,26 @@ void Search::flush(std::uint32_t parent) {
 
 void Search::expand(std::uint32_t number) {
   const State state = states_[number];
-  std::array<Steps, kMaxBalls> steps;
-  for (int ball = 0; ball < limits_.balls; ++ball)
-    steps[ball] = stepsOfBall({state.group, state.balls[ball]}, ball);
-  const std::vector<GroupStep>& group = stepsOfGroup(state.group);
-  for (std::size_t i = 0; i < group.size(); ++i) {
-    State next{group[i].to, {}};
-    bool isAllowed = true;
-    for (int ball = 0; ball < limits_.balls; ++ball) {
-      next.balls[ball] = steps[ball].follows[i];
-      isAllowed = isAllowed && next.balls[ball] != 0;
+  std::array<std::span<const std::uint32_t>, kMaxBalls> rows;
+  for (int place = 0; place < limits_.balls; ++place)
+    rows[place] = stepsOfBall({state.group, state.balls[place]}, place);
+
+  for (const GroupStep& step : stepsOfGroup(state.group)) {
+    std::array<std::span<const std::uint32_t>, kMaxBalls> outcomes;
+    for (int place = 0; place < limits_.balls; ++place) {
+      outcomes[place] = rows[place].subspan(1, rows[place].front());
+      rows[place] = rows[place].subspan(1 + rows[place].front());
     }
-    if (isAllowed) add(next);
+    for (const std::uint32_t first : outcomes[0]) {
+      if (limits_.balls == 1) add({step.to, {first}});
+      for (const std::uint32_t second : outcomes[1]) add({step.to, {first, second}});
+    }
   }
-  for (int ball = 0; ball < limits_.balls; ++ball)
-    for (const std::uint32_t to : steps[ball].own) {
+  for (int place = 0; place < limits_.balls; ++place)
+    for (std::size_t i = 0; i < rows[place].size(); i += 2) {
       State next = state;
-      next.balls[ball] = to;
+      next.group = rows[place][i];
+      next.balls[place] = rows[place][i + 1];
       add(next);
     }
   flush(number);
@@ -154,20 +132,20 @@ void Search::expand(std::uint32_t number) {
 
 std::size_t Search::bytes() const {
   return balls_.bytes() + states_.bytes() + parents_.bytes() + pairs_.bytes() + pairSteps_.bytes() +
-         pairStarts_.capacity() * sizeof(std::size_t) + healed_.bytes() + groups_.size() * 1000;
+         pairRows_.bytes() + model_.bytes() + groups_.size() * kGroupBytes;
 }
 
 Progress Search::progress() const {
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start_;
-  return {states_.size(), expanded_,     transitions_,    depth_,
-          groups_.size(), balls_.size(), seconds.count(), bytes()};
+  return {states_.size(), expanded_,        transitions_,    depth_, groups_.size(),
+          balls_.size(),  model_.checked(), seconds.count(), bytes()};
 }
 
 Result Search::run(const std::function<void(const Progress&)>& report) {
   start_ = std::chrono::steady_clock::now();
   const std::uint32_t nothing = ballNumber(Knowledge{});
   State first{groupNumber(newGroup(limits_)), {}};
-  for (int ball = 0; ball < limits_.balls; ++ball) first.balls[ball] = nothing;
+  for (int place = 0; place < limits_.balls; ++place) first.balls[place] = nothing;
   add(first);
   flush(0);
   transitions_ = 0;
@@ -183,7 +161,7 @@ Result Search::run(const std::function<void(const Progress&)>& report) {
       expand(static_cast<std::uint32_t>(number));
     } catch (const FlawOfBall& found) {
       return {Outcome::Violated, progress(), found.flaw.what,
-              trace(static_cast<std::uint32_t>(number), found.flaw.event, found.ball)};
+              trace(static_cast<std::uint32_t>(number), found.flaw, found.place)};
     }
     ++expanded_;
     if (number % kLookInterval != 0) continue;
@@ -198,62 +176,76 @@ Result Search::run(const std::function<void(const Progress&)>& report) {
   return {Outcome::Closed, progress(), "", ""};
 }
 
-std::string Search::trace(std::uint32_t number, const std::optional<Event>& last,
-                          std::uint32_t ball) {
+/// The event that leads from one state to the other. `names` are the balls at the places of `from`,
+/// and become those of `to`.
+Search::TraceStep Search::stepBetween(const State& from, const State& to, Names& names) {
+  const auto leads = [&](State next) {
+    Names named = names;
+    if (limits_.balls == 2 && next.balls[0] > next.balls[1]) {
+      std::swap(next.balls[0], next.balls[1]);
+      std::swap(named[0], named[1]);
+    }
+    if (next != to) return false;
+    names = named;
+    return true;
+  };
+  const Group& group = *groups_[from.group];
+  std::array<std::vector<BallMove>, kMaxBalls> moves;
+  for (const GroupStep& step : stepsOfGroup(from.group)) {
+    moves[1].assign(1, {});
+    for (int place = 0; place < limits_.balls; ++place)
+      model_.follow(group, *groups_[step.to], step.event, Knowledge(balls_[from.balls[place]]),
+                    moves[place]);
+    for (const BallMove& first : moves[0])
+      for (const BallMove& second : moves[1]) {
+        State next{step.to, {ballNumber(first.to)}};
+        if (limits_.balls == 2) next.balls[1] = ballNumber(second.to);
+        if (leads(next)) return {step.event, {}};
+      }
+  }
+  for (int place = 0; place < limits_.balls; ++place) {
+    model_.ballMoves(group, Knowledge(balls_[from.balls[place]]), moves[0]);
+    for (const BallMove& move : moves[0]) {
+      State next = from;
+      next.group = groupNumber(move.group);
+      next.balls[place] = ballNumber(move.to);
+      const int name = names[place];
+      if (leads(next)) return {move.event, name};
+    }
+  }
+  return {};
+}
+
+std::string Search::trace(std::uint32_t number, const Flaw& flaw, int place) {
   std::vector<std::uint32_t> path;
   for (std::uint32_t at = number; at != 0; at = parents_[at - 1]) path.push_back(at);
   std::ranges::reverse(path);
 
-  // Which ball of the trace stands at which place of the state: states have their balls in order.
-  std::array<int, kMaxBalls> names{0, 1};
+  Names names{0, 1};
   std::string text;
-  const auto show = [&](const State& state) {
+  const auto show = [&](const State& state,
+                        const std::optional<std::array<Word, kMaxPeers>>& heard) {
     std::vector<Knowledge> balls(limits_.balls);
     for (int i = 0; i < limits_.balls; ++i) balls[names[i]] = Knowledge(balls_[state.balls[i]]);
+    if (heard) balls[names[place]].records = *heard;
     text += describe(*groups_[state.group], balls, model_, limits_);
   };
-  const auto eventBetween = [&](const State& from, const State& to) {
-    const auto isNext = [&](State next, std::array<int, kMaxBalls> named) {
-      if (limits_.balls == 2 && next.balls[0] > next.balls[1]) {
-        std::swap(next.balls[0], next.balls[1]);
-        std::swap(named[0], named[1]);
-      }
-      if (next != to) return false;
-      names = named;
-      return true;
-    };
-    const Group& group = *groups_[from.group];
-    for (const GroupStep& step : stepsOfGroup(from.group)) {
-      State next{step.to, {}};
-      for (int i = 0; i < limits_.balls; ++i) {
-        const auto ballThen =
-            model_.follow(*groups_[step.to], step.event, Knowledge(balls_[from.balls[i]]));
-        next.balls[i] = ballThen ? ballNumber(*ballThen) : 0;
-      }
-      if (isNext(next, names)) return describe(step.event, group, *groups_[step.to], {}, model_);
-    }
-    for (int i = 0; i < limits_.balls; ++i) {
-      std::vector<BallMove> moves;
-      model_.ballMoves(group, Knowledge(balls_[from.balls[i]]), moves);
-      for (const BallMove& move : moves) {
-        State next = from;
-        next.balls[i] = ballNumber(move.to);
-        const int named = names[i];
-        if (isNext(next, names)) return describe(move.event, group, group, named, model_);
-      }
-    }
-    return std::string("?");
-  };
-
   for (std::size_t i = 1; i < path.size(); ++i) {
     const State from = states_[path[i - 1]], to = states_[path[i]];
-    text += std::to_string(i) + ". " + eventBetween(from, to) + "\n";
-    show(to);
+    const auto [event, ball] = stepBetween(from, to, names);
+    text += std::to_string(i) + ". " +
+            describe(event, *groups_[from.group], *groups_[to.group], ball, model_) + "\n";
+    show(to, {});
   }
-  if (last) {
-    const Group& group = *groups_[states_[number].group];
+  const State last = states_[number];
+  const Group& group = *groups_[last.group];
+  if (flaw.event) {
     text += std::to_string(path.size()) + ". " +
-            describe(*last, group, group, names[ball], model_) + "\n";
+            describe(*flaw.event, group, group, names[place], model_) + "\n";
+  } else if (flaw.heard) {
+    text += "When the peers have heard of ball " + std::to_string(names[place]) +
+            " what they may have heard:\n";
+    show(last, flaw.heard);
   }
   return text;
 }

@@ -5,13 +5,13 @@
 
 #include <array>
 #include <chrono>
+#include <deque>
 #include <functional>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "search/healing.h"
 #include "search/model.h"
 #include "search/numbering.h"
 
@@ -39,7 +39,8 @@ struct Progress {
   std::size_t transitions = 0;
   int depth = 0;
   std::size_t groups = 0;
-  std::size_t knowledge = 0;  // distinct, of single balls
+  std::size_t knowledge = 0;  // of a ball, distinct
+  std::size_t checked = 0;    // Model::checked()
   double seconds = 0;
   std::size_t bytes = 0;  // of the tables
 };
@@ -73,50 +74,42 @@ class Search {
     Event event;
     std::uint32_t to = 0;
   };
-  /// What may happen to one ball in a group: what each of the group's steps makes of it (0: forbids
-  /// it), and what else it may become.
-  struct Steps {
-    std::span<const std::uint32_t> follows, own;
-  };
-  /// A ball's place in the state that is being looked at, for the trace.
-  struct Found {
-    Flaw flaw;
-    std::uint32_t ball = 0;
-  };
+  /// What may happen to one ball in a group. For each of the group's steps: how many balls may come
+  /// of it, and these; then for each step of its own: the group and the ball.
+  using Row = std::vector<std::uint32_t>;
 
   std::uint32_t groupNumber(const Group& group);
   std::uint32_t ballNumber(const Knowledge& ball);
   const std::vector<GroupStep>& stepsOfGroup(std::uint32_t group);
-  Steps stepsOfBall(const Pair& pair, int place);
-  void computeSteps(const Pair& pair, std::vector<std::uint32_t>& follows,
-                    std::vector<std::uint32_t>& own);
-  void heal(const Group& group, const Knowledge& ball);
+  std::span<const std::uint32_t> stepsOfBall(const Pair& pair, int place);
+  void computeSteps(const Pair& pair, Row& row);
   void expand(std::uint32_t number);
   void add(State state);
   void flush(std::uint32_t parent);
   Progress progress() const;
   std::size_t bytes() const;
-  std::string trace(std::uint32_t number, const std::optional<Event>& last, std::uint32_t ball);
+  using Names = std::array<int, kMaxBalls>;  // of the balls at a state's places
+  struct TraceStep {
+    Event event{};
+    std::optional<int> ball{};
+  };
+  TraceStep stepBetween(const State& from, const State& to, Names& names);
+  std::string trace(std::uint32_t number, const Flaw& flaw, int place);
 
   Limits limits_;
-  Protocol protocol_;
   Model model_;
   std::map<Group, std::uint32_t> groupNumbers_;
   std::vector<const Group*> groups_;
-  std::vector<std::vector<GroupStep>> groupSteps_;
+  std::deque<std::vector<GroupStep>> groupSteps_;  // in which a reference lasts
   RowNumbering balls_;
   Numbering<State> states_;
   Chunks<std::uint32_t> parents_;
   Numbering<Pair> pairs_;
   Chunks<std::uint32_t> pairSteps_;
-  std::vector<std::size_t> pairStarts_;
-  Numbering<std::array<std::uint16_t, 10>> healed_;
+  Chunks<std::span<const std::uint32_t>> pairRows_;
 
   // Reused.
-  struct Scratch {
-    std::vector<std::uint32_t> follows, own;
-  };
-  std::array<Scratch, kMaxBalls> scratch_;
+  std::array<Row, kMaxBalls> rows_;
   std::vector<BallMove> moves_;
   std::vector<Word> words_;
   std::vector<std::pair<State, std::uint64_t>> pending_;

@@ -28,6 +28,9 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0, 3));
   app.add_option("--foundings", limits.foundings, "generations that are founded")
       ->check(CLI::Range(1, kMaxGenerations));
+  bool everyOrder = false;
+  app.add_flag("--every-order", everyOrder,
+               "each hearing of a message is a step of its own: slow, and finds the same");
   app.add_option("--seconds", limits.seconds, "time limit, s")->check(CLI::PositiveNumber);
   app.add_option("--memory", gibibytes, "memory limit of the tables, GiB")
       ->check(CLI::PositiveNumber);
@@ -41,6 +44,7 @@ int main(int argc, char** argv) {
                limits.restarts + limits.fences);
     return 2;
   }
+  if (everyOrder) limits.hearing = Hearing::AtAnyTime;
   limits.memory = static_cast<std::size_t>(gibibytes * 1024 * 1024 * 1024);
 
   Search search(limits, {});
@@ -66,6 +70,7 @@ int main(int argc, char** argv) {
   fmt::print("depth                 {}\n", end.depth);
   fmt::print("groups                {}\n", end.groups);
   fmt::print("knowledge of a ball   {}\n", end.knowledge);
+  fmt::print("checked for a ball    {}\n", end.checked);
   fmt::print("time                  {:.1f} s\n", end.seconds);
   fmt::print("peak memory           {:.2f} GiB\n",
              static_cast<double>(usage.ru_maxrss) / (1024 * 1024));

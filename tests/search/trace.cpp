@@ -39,8 +39,6 @@ std::string describe(const Event& event, const Group& before, const Group& after
       return who + " has all states and becomes active";
     case Deed::ActivateAlone:
       return who + " hears nobody and goes on alone";
-    case Deed::Suspect:
-      return fmt::format("{} suspects P{} wrongly", who, event.subject + 1);
     case Deed::Crash:
       return who + " crashes or leaves";
     case Deed::Restart:
@@ -62,6 +60,9 @@ std::string describe(const Event& event, const Group& before, const Group& after
                          nameOf(model.telling(event.subject).version.owner));
     case Deed::Adopt:
       return fmt::format("{} adopts {} and publishes it", who, what);
+    case Deed::AdoptWrongly:
+      return fmt::format("{} suspects the owner of {} wrongly, adopts it and publishes it", who,
+                         what);
     case Deed::Publish:
       return fmt::format("{} publishes {}", who, what);
     case Deed::Withdraw:
@@ -82,7 +83,7 @@ std::string describe(const Group& group, std::span<const Knowledge> balls, const
     const Party party = partyOf(group, peer);
     text += fmt::format("     {} {}", nameOf(party.self), name(party.phase));
     for (std::size_t ball = 0; isMember(member) && ball < balls.size(); ++ball) {
-      const Entry entry = model.entry(balls[ball], peer);
+      const Entry entry = model.entry(balls[ball].records[peer]);
       const bool isOwn = owns(entry.record, party.self) && party.phase == Phase::Active;
       const bool isHeard = entry.record.standing == Standing::Heard;
       text += fmt::format(" | ball {}: {}{}", ball, nameOf(entry.record.version),

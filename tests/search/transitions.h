@@ -36,8 +36,10 @@ struct Conduct {
   enum class Lease : std::uint8_t { OfIncarnation, OfPeer } lease = Lease::OfIncarnation;
   enum class Offers : std::uint8_t { Repeated, SentOnce } offers = Offers::Repeated;
   /// Whether offers that were heard while syncing are repeated once active.
-  enum class Gathering : std::uint8_t { KeepsOffers, ForgetsOffers } gathering =
-      Gathering::KeepsOffers;
+  enum class Gathering : std::uint8_t {
+    KeepsOffers,
+    ForgetsOffers
+  } gathering = Gathering::KeepsOffers;
   enum class Activation : std::uint8_t {
     WithAllStates,
     Blind
