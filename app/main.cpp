@@ -14,6 +14,7 @@
 #include "keys.h"
 #include "peer.h"
 #include "peer_options.h"
+#include "spy.h"
 
 namespace wells {
 namespace {
@@ -22,6 +23,7 @@ constexpr const char* kUsage =
     "usage: gravity-wells peer [OPTION...]    one peer of a session, or a world alone (--solo)\n"
     "       gravity-wells demo [OPTION...]    two peers on this machine share a world\n"
     "       gravity-wells bench [OPTION...]   one scene, measured\n"
+    "       gravity-wells spy --text          a live table of a session\n"
     "       gravity-wells keys                the config keys as a Markdown table\n"
     "Each takes --help.\n";
 
@@ -39,6 +41,7 @@ int run(int argc, char** argv) {
   if (command == "peer") return peer(arguments, argv);
   if (command == "bench") return runBench(arguments, argv);
   if (command == "demo") return runDemo(arguments);
+  if (command == "spy") return runSpy(arguments);
   if (command == "keys") {
     fmt::print("{}", keysAsMarkdown());
     return 0;
@@ -47,7 +50,7 @@ int run(int argc, char** argv) {
     fmt::print("{}", kUsage);
     return 0;
   }
-  throw UsageError(fmt::format("{}; allowed: peer, demo, bench, keys, help",
+  throw UsageError(fmt::format("{}; allowed: peer, demo, bench, spy, keys, help",
                                command.empty() ? "no command" : command + ": no such command"));
 }
 

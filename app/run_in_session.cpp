@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "clocks.h"
 #include "errors.h"
 #include "interrupt.h"
 #include "network/session.h"
@@ -11,6 +12,7 @@
 #include "run_recorder.h"
 #include "setting_checks.h"
 #include "values.h"
+#include "well_settings.h"
 #include "world/measures.h"
 #include "world_setup.h"
 
@@ -28,7 +30,8 @@ class SessionRun {
         recorder_(setup.options, pictures, progress),
         session_(makeSessionOptions(setup.options, setup.world, setup.motion, link, notice),
                  setup.world, *link.transport),
-        timer_(stepRate(setup.options.config, setup.options.engine)) {
+        timer_(stepRate(setup.options.config, setup.options.engine)),
+        wellSettings_(setup.options.config) {
     if (setup.options.hasEnd()) session_.stopAt(setup.options.steps);
   }
 
@@ -61,13 +64,18 @@ class SessionRun {
     RunReport& report = recorder_.report();
     if (begun_) report.ballsOwnedMax = std::max(report.ballsOwnedMax, ballsOwnedHere());
     if (begun_ && !ended_ && session_.isSettled(world)) end();
-    obeyNetworkRate();
+    obeySettings();
     passOnMeasures();
   }
 
-  void obeyNetworkRate() {
-    const Register* rate = session_.settings().inForce(setting::kNetworkRate, setup_.world.step);
+  /// Those that the session leaves to us.
+  void obeySettings() {
+    const std::int64_t step = setup_.world.step;
+    const Register* rate = session_.settings().inForce(setting::kNetworkRate, step);
     if (rate && link_.lcm) link_.lcm->setTargetRate(parseNumber(rate->value));
+    if (const double pace = session_.stepRate(setup_.world); pace != timer_.targetRate())
+      timer_.setTargetRate(pace);
+    wellSettings_.apply(session_.settings(), session_.peer(), step, setup_.motion);
   }
 
   void begin() {
@@ -165,13 +173,16 @@ class SessionRun {
     report.viewDifference = session_.viewDifference();
     report.messagesSent = sent.messagesSent;
     report.messagesReceived = counts.accepted;
-    report.messagesDropped = counts.drops.total() + sent.droppedSending + sent.droppedReceiving;
-    for (std::size_t i = 0; i < kDropReasons; ++i) {
-      const auto reason = static_cast<Drop>(i);
-      if (reason == Drop::Echo || reason == Drop::NotJoined) continue;  // no faults
-      if (counts.drops[reason] > 0)
-        report.dropsByReason.emplace_back(name(reason), counts.drops[reason]);
-    }
+    report.messagesDropped =
+        counts.drops.total() + sent.droppedSending + sent.droppedReceiving + sent.droppedByKernel;
+    report.droppedByKernel = sent.droppedByKernel;
+    report.droppedInQueue = sent.droppedSending + sent.droppedReceiving;
+    report.droppedByChecks = counts.drops.total();
+    report.doubledBallSeconds = counts.balls.doubledBallSeconds;
+    report.fences = counts.fences;
+    report.resyncs = counts.resyncs;
+    for (const auto& [reason, count] : counts.drops.faults())
+      report.dropsByReason.emplace_back(name(reason), count);
     if (sent.droppedSending > 0) report.dropsByReason.emplace_back("not sent", sent.droppedSending);
     if (sent.droppedReceiving > 0)
       report.dropsByReason.emplace_back("receiving queue full", sent.droppedReceiving);
@@ -186,6 +197,7 @@ class SessionRun {
   RunRecorder recorder_;
   Session session_;
   StepTimer timer_;
+  WellSettings wellSettings_;
   bool begun_ = false;               // part of the session, the world's steps count
   std::optional<double> stoppedAt_;  // s, when the last step was done
   std::optional<double> ended_;      // s, when the results were taken

@@ -111,11 +111,18 @@ std::string reportAsJson(const RunReport& r) {
       {"handovers", r.handoversGiven},
       {"handovers_taken", r.handoversTaken},
       {"adoptions", r.adoptions},
+      {"doubled_ball_seconds", r.doubledBallSeconds},
+      {"fences", r.fences},
+      {"resyncs", r.resyncs},
       {"view_difference_max_m", r.viewDifference},
       {"settled", r.settled},
       {"messages_sent", r.messagesSent},
       {"messages_received", r.messagesReceived},
       {"messages_dropped", r.messagesDropped},
+      {"messages_dropped_by_place",
+       {{"kernel", r.droppedByKernel},
+        {"queues", r.droppedInQueue},
+        {"checks", r.droppedByChecks}}},
       {"messages_dropped_by_reason", dropsAsJson(r)},
       {"bytes_sent", r.bytesSent},
       {"bytes_received", r.bytesReceived},
@@ -143,6 +150,11 @@ std::string reportAsText(const RunReport& r) {
         100 * r.shares.exact(), r.shares.impacts, 100 * r.shares.substep(), r.shares.handedOver);
   if (r.books) text += booksAsText(*r.books);
   text += remarks(r);
+  if (r.fences > 0)
+    text += fmt::format("stood still for too long and started over: {} time(s)\n", r.fences);
+  if (r.doubledBallSeconds > 0)
+    text += fmt::format("{:.1f} ball-seconds were simulated twice, and those here were dropped\n",
+                        r.doubledBallSeconds);
   if (r.peers.empty() || r.transport == "none") return text;
   return text +
          fmt::format(

@@ -48,12 +48,18 @@ struct RunReport {
   std::int64_t handoversGiven = 0;              // balls
   std::int64_t handoversTaken = 0;              // balls
   std::int64_t adoptions = 0;                   // balls
+  double doubledBallSeconds = 0;                // simulated here and by an adopter who won
+  std::int64_t fences = 0;                      // times that this peer stood still for too long
+  std::int64_t resyncs = 0;                     // times that it joined another session
   double viewDifference = 0;                    // m, largest at equal step
   std::string generation;
   bool settled = true;  // at the end every ball had its owner's last state
   std::int64_t messagesSent = 0;
   std::int64_t messagesReceived = 0;  // accepted
   std::int64_t messagesDropped = 0;
+  std::int64_t droppedByKernel = 0;
+  std::int64_t droppedInQueue = 0;
+  std::int64_t droppedByChecks = 0;
   std::vector<std::pair<std::string, std::int64_t>> dropsByReason;
   std::int64_t bytesSent = 0;
   std::int64_t bytesReceived = 0;

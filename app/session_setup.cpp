@@ -4,9 +4,9 @@
 #include <unistd.h>
 
 #include <bit>
-#include <chrono>
 #include <random>
 
+#include "clocks.h"
 #include "errors.h"
 #include "math/hash.h"
 #include "network/codec.h"
@@ -71,12 +71,6 @@ SessionOptions makeSessionOptions(const PeerOptions& options, const World& initi
   session.checkSetting = checkPeerSetting;
   session.notice = std::move(notice);
   return session;
-}
-
-Times readClocks() {
-  using namespace std::chrono;
-  return {.monotonic = duration<double>(steady_clock::now().time_since_epoch()).count(),
-          .wallUs = duration_cast<microseconds>(system_clock::now().time_since_epoch()).count()};
 }
 
 }  // namespace wells

@@ -1,4 +1,4 @@
-// What a session needs from the config and the machine: options, transport, clock.
+// What a session needs from the config: options and transport.
 #pragma once
 
 #include <functional>
@@ -27,8 +27,5 @@ Link openLink(const PeerOptions& options);
 SessionOptions makeSessionOptions(const PeerOptions& options, const World& initial,
                                   const WellMotion& motion, const Link& link,
                                   std::function<void(const std::string&)> notice);
-
-/// The clocks of this machine, now.
-Times readClocks();
 
 }  // namespace wells

@@ -54,7 +54,20 @@ Vec3 WellMotion::place(PeerId peer) const {
       defaultWellPosition(config_.arena, config_.ballRadius, peer));
 }
 
+void WellMotion::follow(const Config& config, WellMode mode) {
+  config_ = config;
+  mode_ = mode;
+}
+
 WellKeyframe WellMotion::at(PeerId peer, std::int64_t step) const {
+  WellKeyframe key = configuredAt(peer, step);
+  if (mode_ == WellMode::Attract) key.strength = std::abs(key.strength);
+  if (mode_ == WellMode::Repel) key.strength = -std::abs(key.strength);
+  if (mode_ == WellMode::Off) key.strength = 0;
+  return key;
+}
+
+WellKeyframe WellMotion::configuredAt(PeerId peer, std::int64_t step) const {
   const WellPath& path = config_.wellPath;
   if (path.kind == WellPath::Kind::Keyframes) {
     const Well well = wellAt(fromFile_, step, dt_);

@@ -8,10 +8,16 @@
 
 namespace wells {
 
+/// What becomes of the strength that config or keyframe file give.
+enum class WellMode : std::uint8_t { AsConfigured, Attract, Repel, Off };
+
 class WellMotion {
  public:
   /// Reads the keyframe file, if the path is one. `dt` is the world's step, s. Throws UsageError.
   WellMotion(const Config& config, double dt);
+
+  /// From now on moves as another config says, whose path is none of a file unless it was before.
+  void follow(const Config& config, WellMode mode);
 
   double softening() const { return config_.wellSoftening; }
 
@@ -30,10 +36,12 @@ class WellMotion {
 
  private:
   void readKeyframes(const std::filesystem::path& file);
+  WellKeyframe configuredAt(PeerId peer, std::int64_t step) const;
   Vec3 place(PeerId peer) const;
 
   Config config_;
   double dt_;
+  WellMode mode_ = WellMode::AsConfigured;
   WellTrack fromFile_;
 };
 
