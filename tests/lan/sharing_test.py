@@ -1,7 +1,11 @@
 """Four peers on a LAN share a world: on a good network, on one that loses a fifth of the datagrams,
 and while peers come and go."""
 
+import signal
+import time
+
 import scenario
+from ownership import publications
 
 
 class GoodNetwork(scenario.Scenario):
@@ -23,6 +27,38 @@ class LossyNetwork(scenario.Scenario):
         self.assertGreater(self.lan.dropped("lost"), 1000)
         self.assert_agreement(peers)
         self.judge()
+
+
+class ComingAndGoing(scenario.Scenario):
+    def test_one_joins_late_and_one_leaves(self):
+        early = {host: self.start(host, "--duration", 12) for host in (1, 2, 3)}
+        self.await_active(early)
+        time.sleep(1)
+        started = time.monotonic()
+        late = self.start(4, "--duration", 12)
+        joined = self.await_active([4]) - started
+        time.sleep(2)
+        left = time.monotonic()
+        early[2].process.send_signal(signal.SIGINT)
+        stay = [early[1], early[3], late]
+        self.end([early[2], *stay])
+        self.assert_agreement(stay)
+        recorded = list(publications(self.judge()))
+
+        self.assertLessEqual(joined, 2 * self.LEASE + 3, "listening, and 3 s to gather states")
+        self.assertGreater(sum(p.peer == 4 for p in recorded), 0, "the late one was given nothing")
+        last = {}  # before it left
+        again = {}  # by somebody else since
+        for p in recorded:
+            if p.peer != 2 and p.time > left:
+                again.setdefault(p.ball, p.time - left)
+            elif p.time <= left:
+                last[p.ball] = p.peer
+        own = [ball for ball, peer in last.items() if peer == 2]
+        self.assertGreaterEqual(len(own), 20)
+        print(f"joined after {joined:.2f} s; {len(own)} balls of the one who left owned again after "
+              f"{max(again[ball] for ball in own):.2f} s")
+        self.assertLessEqual(max(again[ball] for ball in own), self.LEASE)
 
 
 if __name__ == "__main__":

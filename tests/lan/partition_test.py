@@ -1,0 +1,57 @@
+"""Four peers on a LAN that falls apart for a while: two and two that hear nothing of each other, and
+two who hear the others without being heard."""
+
+import time
+
+import scenario
+from ownership import publications, stale
+
+
+class Partition(scenario.Scenario):
+    APART = 4.0  # s
+    LEFT, RIGHT = (1, 2), (3, 4)
+
+    def test_both_halves_carry_on_and_agree_after_healing(self):
+        recorded, cut, healed = self.part(both_ways=True)
+        settled = [p for p in publications(recorded) if cut + 2 * self.LEASE < p.time < healed]
+        for half in (self.LEFT, self.RIGHT):
+            balls = {p.ball for p in settled if p.peer in half}
+            self.assertEqual(len(balls), self.BALLS, f"{half} have not carried on with all balls")
+        self.assert_one_owner_each(recorded, healed)
+
+    def test_those_who_are_not_heard_give_up_their_balls(self):
+        recorded, _, healed = self.part(both_ways=False)
+        self.assert_one_owner_each(recorded, healed)
+
+    def part(self, both_ways):
+        """Runs a session that is cut between LEFT and RIGHT for a while, or in which RIGHT hears
+        nothing of LEFT. Returns the recording, and when it was cut and healed (s)."""
+        self.use_filter()
+        peers = [self.start(host, "--duration", 12) for host in self.HOSTS]
+        self.await_active(self.HOSTS)
+        time.sleep(2)
+        self.lan.cut(self.LEFT, self.RIGHT)
+        if both_ways:
+            self.lan.cut(self.RIGHT, self.LEFT)
+        cut = time.monotonic()
+        time.sleep(self.APART)
+        dropped = self.lan.dropped("cut")
+        self.lan.heal(self.LEFT, self.RIGHT)
+        if both_ways:
+            self.lan.heal(self.RIGHT, self.LEFT)
+        healed = time.monotonic()
+        self.end(peers)
+        self.assertGreater(dropped, 100)
+        self.assert_agreement(peers)
+        return self.judge(), cut, healed
+
+    def assert_one_owner_each(self, recorded, healed):
+        doubled = list(stale(publications(recorded)))
+        last = max((p.time for p in doubled), default=healed) - healed
+        print(f"{len(doubled)} states of balls that another had taken; the last {last:.2f} s after "
+              "healing")
+        self.assertLessEqual(last, 2 * self.LEASE)
+
+
+if __name__ == "__main__":
+    scenario.main()
