@@ -1,5 +1,6 @@
 #include "search/group.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace wells {
@@ -59,17 +60,26 @@ std::optional<Group> alone(const Group& group, int peer, const Limits& limits) {
   return next;
 }
 
+bool isListening(const Member& member) {
+  return member.number != 0 && member.phase == Phase::Joining;
+}
+
 class Moves {
  public:
   Moves(const Group& group, const Limits& limits, const Conduct& conduct)
       : group_(group), limits_(limits), conduct_(conduct) {
+    if (isPassing(group, limits)) {
+      for (int peer = 0; moves_.empty(); ++peer)
+        if (isListening(group.members[peer])) enter(peer);
+      return;
+    }
     for (int peer = 0; peer < limits.peers; ++peer) {
       const Member& member = group.members[peer];
       if (member.number == 0) {
         restart(peer);
         continue;
       }
-      if (member.phase == Phase::Joining) found(peer);
+      if (isListening(member)) found(peer);
       enter(peer);
       if (member.phase == Phase::Syncing) join(peer);
       if (member.phase == Phase::Active) fence(peer);
@@ -88,10 +98,12 @@ class Moves {
 
   void restart(int peer) {
     if (group_.restarts >= limits_.restarts) return;
-    for (const int number : nextNumbers(group_, peer, conduct_)) {
+    const std::vector<int> numbers = nextNumbers(group_, peer, conduct_);
+    for (const int number : numbers) {
       Group& to = add(Deed::Restart, peer);
       ++to.restarts;
       become(to, peer, {Phase::Joining, static_cast<std::uint8_t>(number), 0});
+      moves_.back().isReordering = number != numbers.front();
     }
   }
 
@@ -130,16 +142,19 @@ class Moves {
   void fence(int peer) {
     if (group_.fences >= limits_.fences) return;
     const std::uint8_t generation = group_.members[peer].generation;
-    for (const int number : nextNumbers(group_, peer, conduct_)) {
+    const std::vector<int> numbers = nextNumbers(group_, peer, conduct_);
+    for (const int number : numbers) {
       const auto next = static_cast<std::uint8_t>(number);
       Group& to = add(Deed::Fence, peer);
       ++to.fences;
       become(to, peer, {Phase::Syncing, next, generation});
+      moves_.back().isReordering = number != numbers.front();
       if (const auto group = alone(group_, peer, limits_)) {
         Group& left = add(Deed::FenceAlone, peer);
         left = *group;
         ++left.fences;
         become(left, peer, {Phase::Active, next, generation});
+        moves_.back().isReordering = number != numbers.front();
       }
     }
   }
@@ -164,6 +179,11 @@ Group newGroup(const Limits& limits) {
   for (int peer = 0; peer < limits.peers; ++peer)
     become(group, peer, {Phase::Joining, kRanks / 2, 0});
   return group;
+}
+
+bool isPassing(const Group& group, const Limits& limits) {
+  return limits.foundings == 1 && group.foundings == 1 &&
+         std::ranges::any_of(group.members, isListening);
 }
 
 std::vector<GroupMove> movesOf(const Group& group, const Limits& limits, const Conduct& conduct) {

@@ -90,12 +90,22 @@ struct Event {
 struct GroupMove {
   Event event;
   Group to;
+  // The new incarnation's number is tried at another place in the order. That makes no difference
+  // when no version names a former incarnation of the peer as its adopter: the numbers of others
+  // are never compared, and those that are gone adopt nothing any more.
+  bool isReordering = false;
 };
 
 /// Everybody has just started and listens.
 Group newGroup(const Limits& limits);
 
-/// All that may happen to `group` next. Activate may be forbidden by the balls.
+/// True when `group` is only on its way: a peer that listens has nothing left to do but to enter
+/// the one generation that there can be. It might as well do so before anything else happens: while
+/// it syncs and has heard nothing, it does no more and no less to the others than while it listens.
+bool isPassing(const Group& group, const Limits& limits);
+
+/// All that may happen to `group` next. Activate may be forbidden by the balls. When the group is
+/// passing, only what it is on its way to.
 std::vector<GroupMove> movesOf(const Group& group, const Limits& limits, const Conduct& conduct);
 
 inline std::uint64_t bitOf(int peer, int number) {

@@ -64,6 +64,10 @@ Knowledge& Knowledge::operator=(const Knowledge& other) {
   return *this;
 }
 
+bool Knowledge::operator==(const Knowledge& other) const {
+  return records == other.records && std::ranges::equal(messages(), other.messages());
+}
+
 void Knowledge::send(Word message) {
   Word* const end = messageWords.data() + messageCount;
   Word* const place = std::lower_bound(messageWords.data(), end, message);

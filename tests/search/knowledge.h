@@ -51,6 +51,8 @@ class Versions {
   Word tenure(Word number) const { return tenures_[number]; }
   /// Rank of its generation's founding.
   std::uint8_t founded(Word number) const { return founded_[number]; }
+  /// Who began its term, counted from 0; -1: nobody.
+  int adopter(Word number) const { return value(versions_[number].adopter.peer) - 1; }
 
  private:
   std::vector<Version> versions_{1};
@@ -70,6 +72,8 @@ struct Knowledge {
   explicit Knowledge(std::span<const Word> words);
   Knowledge(const Knowledge& other) { *this = other; }
   Knowledge& operator=(const Knowledge& other);
+
+  bool operator==(const Knowledge& other) const;
 
   std::span<const Word> messages() const { return {messageWords.data(), messageCount}; }
   /// Adds a message if it is not there.

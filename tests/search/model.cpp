@@ -1,46 +1,13 @@
 #include "search/model.h"
 
 #include <algorithm>
-#include <tuple>
-
-#include "search/healing.h"
+#include <utility>
 
 namespace wells {
 namespace {
 
-constexpr std::int64_t kStep = 0;  // knowledge.h says why
-
 // In place of a record that was learned.
 constexpr Word kNothingNew = 0, kNotTried = 1, kRefused = 2;
-
-/// The order of tenures; owner and step left out.
-auto tenureOf(const Version& version) {
-  return std::tuple(version.generation, version.term, version.adopter, version.epoch);
-}
-
-void require(bool holds, const char* what) {
-  if (!holds) throw Flaw{what};
-}
-
-/// Names the event in which a flaw shows.
-template <class Action>
-void during(const Event& event, const Action& action) {
-  try {
-    action();
-  } catch (Flaw& flaw) {
-    flaw.event = event;
-    throw;
-  }
-}
-
-bool contains(const std::vector<Word>& words, Word word) {
-  return std::ranges::find(words, word) != words.end();
-}
-
-std::uint16_t packed(const Member& member) {
-  return static_cast<std::uint16_t>(static_cast<int>(member.phase) << 12 | member.number << 4 |
-                                    member.generation);
-}
 
 }  // namespace
 
@@ -70,39 +37,13 @@ Word Model::raised(Word before, const Entry& next) {
   return wordOf(next);
 }
 
-void Model::send(Knowledge& ball, News news, const Version& version) {
-  ball.send(static_cast<Word>(versions_.number(version) << 1 | (news == News::Offer ? 1 : 0)));
+Word Model::messageOf(News news, const Version& version) {
+  return static_cast<Word>(versions_.number(version) << 1 | (news == News::Offer ? 1 : 0));
 }
 
-// What an owner can publish is sent at once: the network may keep it for as long as it likes.
-void Model::publish(const Group& group, int peer, Knowledge& ball) {
-  const Party self = partyOf(group, peer);
-  const Entry before = entry(ball.records[peer]);
-  if (!protocol_.transitions.mayPublish(before.record, self)) return;
-  const Record next = protocol_.transitions.publish(before.record, self, kStep);
-  ball.records[peer] = raised(ball.records[peer], {next, before.offer});
-  Version sent = next.version;
-  sent.owner = self.self;  // a message of states says who owns by who sends it
-  send(ball, News::State, sent);
-}
-
-void Model::begin(const Group& group, int peer, const Record& next, Knowledge& ball) {
-  require(protocol_.transitions.owns(next, partyOf(group, peer).self),
-          "who has taken the ball does not own it");
-  ball.records[peer] = raised(ball.records[peer], {next});
-  publish(group, peer, ball);
-}
-
-bool Model::adopt(const Group& group, int peer, Life life, Knowledge& ball) {
-  const Transitions& rules = protocol_.transitions;
-  const Record record = entry(ball.records[peer]).record;
-  const Party self = partyOf(group, peer);
-  if (!rules.mayAdopt(record, self, life)) return false;
-  const Record next = rules.adopt(record, self, kStep);
-  if (next.version.term >= limits_.terms) return false;
-  require(tenureOf(next.version) > tenureOf(record.version), "an old tenure begins anew");
-  begin(group, peer, next, ball);
-  return true;
+std::size_t Model::bytes() const {
+  return checked_.bytes() + choices_.bytes() + checkedChoices_.bytes() + actsKeys_.bytes() +
+         acts_.size() * (sizeof(Acts) + 4 * sizeof(Act));
 }
 
 Word Model::learn(Word record, Word message) {
@@ -144,175 +85,96 @@ void Model::hearAll(const Group& group, int peer, Word record, std::span<const W
                     Words& records) {
   records.assign(1, record);
   if (limits_.hearing == Hearing::AtAnyTime) return;
+  marks_[record] = ++mark_;
   for (std::size_t i = 0; i < records.size(); ++i)
     for (const Word message : messages) {
       const Word next = hear(group, peer, records[i], message);
-      if (!contains(records, next)) records.push_back(next);
+      if (std::exchange(marks_[next], mark_) != mark_) records.push_back(next);
     }
 }
 
-void Model::follow(const Group& from, const Group& to, const Event& event, const Knowledge& ball,
-                   std::vector<BallMove>& moves) {
-  const Transitions& rules = protocol_.transitions;
-  const int peer = event.peer;
-  moves.clear();
-  if (event.deed == Deed::Activate || event.deed == Deed::ActivateAlone) {
-    activate(from, to, event, ball, moves);
-  } else {
-    moves.push_back({event, ball, to});
-    Knowledge& next = moves.back().to;
-    Word& record = next.records[peer];
-    const Generation generation = generationOf(to, to.members[peer].generation);
-    during(event, [&] {
-      if (event.deed == Deed::Crash || event.deed == Deed::Found) record = 0;
-      if (event.deed == Deed::Found)
-        begin(to, peer, rules.found(generation, partyOf(to, peer).self, kStep), next);
-      if (event.deed == Deed::Enter) record = raised(record, {rules.unknown(generation)});
-      if (event.deed == Deed::Fence) record = wordOf({rules.unknown(generation)});
-      // FenceAlone keeps the record, which names an incarnation that is gone: adoption follows.
-    });
+void Model::hear(std::uint32_t group, int peer, const Knowledge& ball,
+                 std::vector<BallMove>& moves) {
+  const Word before = ball.records[peer];
+  for (const Word message : ball.messages()) {
+    const Word next = hear(groups_[group].group, peer, before, message);
+    if (next == before) continue;
+    const Event event{Deed::Hear, static_cast<std::uint8_t>(peer), message, before};
+    carryOut({event, next, 0, group}, ball, moves);
   }
-  for (BallMove& move : moves) prune(to, move.to);
 }
 
-void Model::activate(const Group& from, const Group& to, const Event& event, const Knowledge& ball,
+void Model::carryOut(const Act& act, const Knowledge& ball, std::vector<BallMove>& moves) const {
+  moves.push_back({act.event, ball, act.group});
+  Knowledge& to = moves.back().to;
+  to.records[act.event.peer] = act.record;
+  if (act.sent != 0) to.send(act.sent);
+}
+
+void Model::ballMoves(std::uint32_t group, const Knowledge& ball, std::vector<BallMove>& moves) {
+  moves.clear();
+  for (int peer = 0; peer < limits_.peers; ++peer) {
+    if (!isMember(groups_[group].group.members[peer])) continue;
+    if (limits_.hearing == Hearing::AtAnyTime) hear(group, peer, ball, moves);
+    if (groups_[group].isPassing) continue;
+    Words& records = records_[peer];
+    hearAll(groups_[group].group, peer, ball.records[peer], ball.messages(), records);
+    for (const Word record : records)
+      for (const Act& act : actsOf(group, peer, record)) carryOut(act, ball, moves);
+  }
+  for (BallMove& move : moves) prune(move.group, move.to);
+  std::erase_if(moves,
+                [&](const BallMove& move) { return move.to == ball && move.group == group; });
+}
+
+void Model::follow(std::uint32_t group, std::size_t step, const Knowledge& ball,
+                   std::vector<BallMove>& moves) {
+  moves.clear();
+  const GroupStep& taken = groups_.steps(group)[step];
+  const Word before = ball.records[taken.event.peer];
+  if (taken.event.deed == Deed::Activate || taken.event.deed == Deed::ActivateAlone) {
+    activate(group, taken, ball, moves);
+  } else {
+    for (const Act& act : resultOf(group, step, before)) carryOut(act, ball, moves);
+  }
+  for (BallMove& move : moves) prune(move.group, move.to);
+}
+
+void Model::activate(std::uint32_t group, const GroupStep& step, const Knowledge& ball,
                      std::vector<BallMove>& moves) {
-  const int peer = event.peer;
-  const Word before = ball.records[peer];
-  const bool isBlind = protocol_.conduct.activation == Conduct::Activation::Blind;
+  const int peer = step.event.peer;
+  const Group& to = groups_[step.to].group;
   const auto isUnknown = [&](Word record) {
     return entry(record).record.version.owner == Incarnation{};
   };
-  Words records;
-  hearAll(from, peer, before, ball.messages(), records);
-  if (!isBlind) std::erase_if(records, isUnknown);
+  Words records, later;
+  hearAll(groups_[group].group, peer, ball.records[peer], ball.messages(), records);
+  if (protocol_.conduct.activation == Conduct::Activation::WithAllStates)
+    std::erase_if(records, isUnknown);
+  std::ranges::sort(records, {}, [&](Word record) { return entry(record).record.version; });
   // What it can hear later as well need not be tried as what it has heard by now.
   for (std::size_t i = 0; i < records.size(); ++i) {
-    Words later;
     hearAll(to, peer, records[i], ball.messages(), later);
-    std::erase_if(records, [&](Word record) {
-      return record != records[i] && contains(later, record) && record > records[i];
-    });
+    records.erase(
+        std::remove_if(records.begin() + static_cast<std::ptrdiff_t>(i) + 1, records.end(),
+                       [&](Word record) { return marks_[record] == mark_; }),
+        records.end());
   }
-  for (const Word record : records) {
-    moves.push_back({event, ball, to});
-    moves.back().to.records[peer] = record;
-  }
-  if (event.deed != Deed::ActivateAlone || !isUnknown(before)) return;
+  for (const Word record : records) carryOut({step.event, record, 0, step.to}, ball, moves);
+
+  if (step.event.deed != Deed::ActivateAlone || !isUnknown(ball.records[peer])) return;
   // Nobody tells it of the ball: it takes it from where it was first.
-  during(event, [&] {
-    Knowledge next = ball;
-    if (adopt(to, peer, Life::Ended, next)) moves.push_back({event, next, to});
+  Act act{step.event, ball.records[peer], 0, step.to};
+  during(step.event, [&] {
+    if (adopt(partyOf(to, peer), Life::Ended, act)) carryOut(act, ball, moves);
   });
-}
-
-void Model::ballMoves(const Group& group, const Knowledge& ball, std::vector<BallMove>& moves) {
-  moves.clear();
-  for (int peer = 0; peer < limits_.peers; ++peer) {
-    if (!isMember(group.members[peer])) continue;
-    if (limits_.hearing == Hearing::AtAnyTime) hear(group, peer, ball, moves);
-    Words records;
-    hearAll(group, peer, ball.records[peer], ball.messages(), records);
-    for (const Word record : records) {
-      Knowledge heard = ball;
-      heard.records[peer] = record;
-      act(group, peer, heard, moves);
-      offer(group, peer, heard, moves);
-    }
-  }
-  for (BallMove& move : moves) prune(group, move.to);
-}
-
-void Model::hear(const Group& group, int peer, const Knowledge& ball,
-                 std::vector<BallMove>& moves) {
-  for (const Word message : ball.messages()) {
-    const Word before = ball.records[peer];
-    const Word next = hear(group, peer, before, message);
-    if (next == before) continue;
-    moves.push_back({{Deed::Hear, static_cast<std::uint8_t>(peer), message, before}, ball, group});
-    moves.back().to.records[peer] = next;
-  }
-}
-
-void Model::act(const Group& group, int peer, const Knowledge& ball, std::vector<BallMove>& moves) {
-  const Transitions& rules = protocol_.transitions;
-  const Entry before = entry(ball.records[peer]);
-  const Party self = partyOf(group, peer);
-  const auto attempt = [&](Deed deed, const Group& after, const auto& change) {
-    const Event event{deed, static_cast<std::uint8_t>(peer), 0, ball.records[peer]};
-    Knowledge next = ball;
-    during(event, [&] {
-      if (change(next)) moves.push_back({event, next, after});
-    });
-  };
-  attempt(Deed::Take, group, [&](Knowledge& next) {
-    if (!rules.mayTake(before.record, self)) return false;
-    begin(group, peer, rules.take(before.record, self), next);
-    return true;
-  });
-
-  const Incarnation& owner = before.record.version.owner;
-  const Life life = lifeOf(group, peer, owner, protocol_.conduct);
-  attempt(Deed::Adopt, group, [&](Knowledge& next) { return adopt(group, peer, life, next); });
-  if (life == Life::Lasts && owner != self.self)
-    if (const auto after = afterSuspicion(group, peer, value(owner.peer) - 1, limits_))
-      attempt(Deed::AdoptWrongly, *after,
-              [&](Knowledge& next) { return adopt(*after, peer, Life::Ended, next); });
-
-  // Nothing new with the real rules, under which the act of taking the ball publishes it.
-  attempt(Deed::Publish, group, [&](Knowledge& next) {
-    publish(group, peer, next);
-    prune(group, next);
-    return next.records != ball.records || next.messageCount != ball.messageCount;
-  });
-  if (rules.withdraw && before.record.standing == Standing::Named && before.offer == Offer::Open)
-    attempt(Deed::Withdraw, group, [&](Knowledge& next) {
-      const auto record = rules.withdraw(before.record, self);
-      if (!record || record->version.epoch >= limits_.epochs) return false;
-      begin(group, peer, *record, next);
-      return true;
-    });
-}
-
-void Model::offer(const Group& group, int peer, const Knowledge& ball,
-                  std::vector<BallMove>& moves) {
-  const Transitions& rules = protocol_.transitions;
-  const Record before = entry(ball.records[peer]).record;
-  const Party self = partyOf(group, peer);
-  const Era& era = group.generations[group.members[peer].generation - 1];
-  const auto attempt = [&](const Party& receiver) {
-    if (!rules.mayOffer(before, self, receiver)) return;
-    Event event{Deed::Offer, static_cast<std::uint8_t>(peer), 0, ball.records[peer]};
-    during(event, [&] {
-      const Record next = rules.offer(before, self, receiver, kStep);
-      if (next.version.epoch >= limits_.epochs) return;
-      require(tenureOf(next.version) > tenureOf(before.version), "an old tenure begins anew");
-      event.subject = static_cast<Word>(versions_.number(next.version) << 1 | 1);
-      Knowledge to = ball;
-      to.records[peer] = raised(to.records[peer], {next, Offer::Open});
-      send(to, News::Offer, next.version);
-      moves.push_back({event, to, group});
-    });
-  };
-  for (int other = 0; other < limits_.peers; ++other) {
-    // Believed to be active, perhaps long ago ...
-    for (int number = 1; number < kRanks; ++number)
-      if (era.wasActive & bitOf(other, number))
-        attempt({incarnationOf(other, number), Phase::Active});
-    // ... or known not to be.
-    if (isMember(group.members[other]) && group.members[other].phase == Phase::Syncing &&
-        group.members[other].generation == group.members[peer].generation)
-      attempt(partyOf(group, other));
-  }
 }
 
 // Messages from which nobody can learn any more, now or later, are dropped: what a record does not
 // learn from now it never does, because records only rise.
-void Model::prune(const Group& group, Knowledge& ball) {
-  unsigned awaited = 0;  // bit by rank of founding
-  for (int generation = 1; generation <= group.foundings; ++generation)
-    if (mayAwaitNewcomers(group, generation, limits_))
-      awaited |= 1u << group.generations[generation - 1].founded;
+void Model::prune(std::uint32_t number, Knowledge& ball) {
+  const unsigned awaited = groups_[number].awaited;
+  const Group& group = groups_[number].group;
   Word kept = 0;
   for (const Word message : ball.messages()) {
     bool matters = awaited >> versions_.founded(versionOfMessage(message)) & 1u;
@@ -324,77 +186,10 @@ void Model::prune(const Group& group, Knowledge& ball) {
   ball.messageCount = kept;
 }
 
-void Model::checkTenures(const Knowledge& ball) const {
-  std::array<Word, Knowledge::kMaxMessages + kMaxPeers> seen{};
-  std::size_t count = 0;
-  const auto see = [&](Word number) {
-    const Version& version = versions_[number];
-    if (version.owner == Incarnation{}) return;
-    for (std::size_t i = 0; i < count; ++i)
-      if (versions_.tenure(seen[i]) == versions_.tenure(number))
-        require(versions_[seen[i]].owner == version.owner, "a tenure has two owners");
-    seen[count++] = number;
-  };
-  for (const Word message : ball.messages()) see(versionOfMessage(message));
-  for (const Word record : ball.records) see(versionOfRecord(record));
-}
-
-void Model::check(const Group& group, const Knowledge& ball) {
-  checkTenures(ball);
-  std::array<Words, kMaxPeers> records;
-  for (int peer = 0; peer < kMaxPeers; ++peer) {
-    if (isMember(group.members[peer]))
-      hearAll(group, peer, ball.records[peer], ball.messages(), records[peer]);
-    else
-      records[peer].assign(1, ball.records[peer]);
-  }
-  Core core{};
-  const bool calm = isCalm(group);
-  for (int peer = 0; peer < kMaxPeers; ++peer) {
-    core[peer] = packed(group.members[peer]);
-    core[6 + peer] = group.generations[peer].founded;
-  }
-  core[9] = calm ? 1 : 0;
-  for (const Word first : records[0])
-    for (const Word second : records[1])
-      for (const Word third : records[2]) {
-        core[3] = first;
-        core[4] = second;
-        core[5] = third;
-        const std::size_t before = checked_.size();
-        checked_.number(core);
-        if (checked_.size() == before) continue;
-        checkCore(group, {first, second, third});
-      }
-}
-
-void Model::checkCore(const Group& group, const std::array<Word, kMaxPeers>& records) {
-  const auto fail = [&](const std::string& what) { throw Flaw{what, {}, records}; };
-  std::array<Version, kMaxPeers> acting;
-  std::size_t actors = 0;
-  std::array<Entry, kMaxPeers> entries;
-  for (int peer = 0; peer < limits_.peers; ++peer) {
-    const Member& member = group.members[peer];
-    entries[peer] = entry(records[peer]);
-    if (!isMember(member)) continue;
-    const Record& record = entries[peer].record;
-    const Version& version = record.version;
-    if (version.generation != generationOf(group, member.generation))
-      fail("a record of another generation");
-    if (member.phase != Phase::Active) continue;
-    if (version.owner == Incarnation{}) fail("an active peer knows nothing of the ball");
-    if (!protocol_.transitions.isPossible(version)) fail("a version that nobody can have made");
-    if (!protocol_.transitions.owns(record, partyOf(group, peer).self)) continue;
-    for (std::size_t i = 0; i < actors; ++i)
-      if (acting[i].generation == version.generation && acting[i].term == version.term &&
-          acting[i].adopter == version.adopter)
-        fail("two peers act as owners in one term");
-    acting[actors++] = version;
-  }
-  if (actors > 1 && isCalm(group)) fail("two peers act as owners though nothing has failed");
-  for (const Turns turns : {Turns::LowestFirst, Turns::HighestFirst, Turns::AllAtOnce})
-    if (const auto failure = failureToHeal(group, entries, limits_, protocol_, turns))
-      fail("does not heal: " + *failure);
+bool Model::hasAdopted(int peer, const Knowledge& ball) const {
+  const auto isAdopter = [&](Word number) { return versions_.adopter(number) == peer; };
+  return std::ranges::any_of(ball.records, isAdopter, versionOfRecord) ||
+         std::ranges::any_of(ball.messages(), isAdopter, versionOfMessage);
 }
 
 }  // namespace wells

@@ -17,11 +17,12 @@
 #pragma once
 
 #include <array>
-#include <optional>
-#include <string>
+#include <deque>
+#include <span>
 #include <vector>
 
-#include "search/group.h"
+#include "search/flaw.h"
+#include "search/groups.h"
 #include "search/knowledge.h"
 #include "search/limits.h"
 #include "search/numbering.h"
@@ -29,34 +30,30 @@
 
 namespace wells {
 
-/// Thrown when the rules break a promise.
-struct Flaw {
-  std::string what;
-  std::optional<Event> event{};  // in which it shows; nothing: the state itself is wrong ...
-  std::optional<std::array<Word, kMaxPeers>> heard{};  // ... when the peers have heard so much
-};
-
 struct BallMove {
   Event event;
   Knowledge to;
-  Group group;  // the same but for a suspicion
+  std::uint32_t group = 0;  // afterwards
 };
 
 class Model {
  public:
-  Model(const Limits& limits, const Protocol& protocol) : limits_(limits), protocol_(protocol) {}
+  Model(const Limits& limits, const Protocol& protocol)
+      : limits_(limits), protocol_(protocol), groups_(limits, protocol.conduct) {}
 
-  std::vector<GroupMove> groupMoves(const Group& group) const {
-    return movesOf(group, limits_, protocol_.conduct);
-  }
+  Groups& groups() { return groups_; }
+  const Groups& groups() const { return groups_; }
 
-  /// What may become of a ball when `from` moves to `to` by `event`; replaces `moves`. None when
-  /// the ball, or a limit, forbids that.
-  void follow(const Group& from, const Group& to, const Event& event, const Knowledge& ball,
+  /// What may become of a ball with the group's step of this place; replaces `moves`. None when the
+  /// ball, or a limit, forbids the step.
+  void follow(std::uint32_t group, std::size_t step, const Knowledge& ball,
               std::vector<BallMove>& moves);
 
-  /// What may happen to a ball while the group stays as it is, suspicions aside; adds to `moves`.
-  void ballMoves(const Group& group, const Knowledge& ball, std::vector<BallMove>& moves);
+  /// What may happen to a ball while the group stays as it is, suspicions aside; replaces `moves`.
+  void ballMoves(std::uint32_t group, const Knowledge& ball, std::vector<BallMove>& moves);
+
+  /// True when a term of the ball was begun by this peer, in whichever incarnation.
+  bool hasAdopted(int peer, const Knowledge& ball) const;
 
   /// Throws Flaw when a state is wrong:
   ///  - two owners of one tenure among all records and messages;
@@ -64,46 +61,78 @@ class Model {
   ///    at all;
   ///  - an active peer without a sensible record of the ball;
   ///  - a group that does not heal (healing.h).
-  void check(const Group& group, const Knowledge& ball);
+  void check(std::uint32_t group, const Knowledge& ball);
 
-  /// Different states of one ball that were checked: who is what, and has which record.
+  /// Different cases that were checked: who is what, and has which record of a ball.
   std::size_t checked() const { return checked_.size(); }
-  std::size_t bytes() const { return checked_.bytes(); }
+  std::size_t bytes() const;
 
   Entry entry(Word record) const;
   Telling telling(Word message) const;
 
  private:
   using Words = std::vector<Word>;
-  using Core = std::array<std::uint16_t, 10>;
+
+  /// What a peer may do to a ball, whatever the others know of it.
+  struct Act {
+    Event event;
+    Word record = 0, sent = 0;  // its own afterwards; the message, 0: none
+    std::uint32_t group = 0;    // afterwards
+  };
+  using Acts = std::vector<Act>;
 
   Word wordOf(const Entry& entry);
   Word raised(Word before, const Entry& entry);
-  void send(Knowledge& ball, News news, const Version& version);
-  void publish(const Group& group, int peer, Knowledge& ball);
-  void begin(const Group& group, int peer, const Record& next, Knowledge& ball);
-  bool adopt(const Group& group, int peer, Life life, Knowledge& ball);
+  Word messageOf(News news, const Version& version);
+
+  // With the record that the act has at first; they change it.
+  void publish(const Party& self, Act& act);
+  void begin(const Party& self, const Record& next, Act& act);
+  bool adopt(const Party& self, Life life, Act& act);
+
+  const Acts& actsOf(std::uint32_t group, int peer, Word record);
+  void tryToTake(const Group& group, int peer, const Act& still, Acts& acts);
+  void tryToAdopt(const Group& group, int peer, const Act& still, Acts& acts);
+  void tryToPublish(const Group& group, int peer, const Act& still, Acts& acts);
+  void tryToWithdraw(const Group& group, int peer, const Act& still, Acts& acts);
+  void tryToOffer(const Group& group, int peer, const Act& still, Acts& acts);
+  const Acts& resultOf(std::uint32_t group, std::size_t step, Word record);
+  void carryOut(const Act& act, const Knowledge& ball, std::vector<BallMove>& moves) const;
+
   Word learn(Word record, Word message);
   Word hear(const Group& group, int peer, Word record, Word message);
   void hearAll(const Group& group, int peer, Word record, std::span<const Word> messages,
                Words& records);
-  void activate(const Group& from, const Group& to, const Event& event, const Knowledge& ball,
+  void hear(std::uint32_t group, int peer, const Knowledge& ball, std::vector<BallMove>& moves);
+  void activate(std::uint32_t group, const GroupStep& step, const Knowledge& ball,
                 std::vector<BallMove>& moves);
-  void prune(const Group& group, Knowledge& ball);
-
-  void hear(const Group& group, int peer, const Knowledge& ball, std::vector<BallMove>& moves);
-  void act(const Group& group, int peer, const Knowledge& ball, std::vector<BallMove>& moves);
-  void offer(const Group& group, int peer, const Knowledge& ball, std::vector<BallMove>& moves);
+  void prune(std::uint32_t group, Knowledge& ball);
 
   void checkTenures(const Knowledge& ball) const;
-  void checkCore(const Group& group, const std::array<Word, kMaxPeers>& records);
+  void checkCase(const Group& group, const std::array<Word, kMaxPeers>& records);
 
   Limits limits_;
   Protocol protocol_;
+  Groups groups_;
   Versions versions_;
+
+  // The functions are pure: what they return is kept.
+  struct ActsKey {
+    std::uint32_t group = 0;
+    std::uint16_t what = 0;  // a peer, or kMaxPeers + step
+    Word record = 0;
+    bool operator==(const ActsKey&) const = default;
+  };
+  Numbering<ActsKey> actsKeys_;
+  std::deque<Acts> acts_;
   std::vector<Words> learned_;  // by record, then message
-  Numbering<Core> checked_;
-  Words records_;
+
+  Numbering<std::uint64_t> checked_;  // core of the group and each peer's record
+  RowNumbering choices_;              // of records
+  Numbering<std::array<std::uint32_t, 1 + kMaxPeers>> checkedChoices_;  // core, each peer's choices
+  std::array<Words, kMaxPeers> records_;
+  std::vector<std::uint32_t> marks_ = std::vector<std::uint32_t>(1 << 16);  // by record
+  std::uint32_t mark_ = 0;
 };
 
 }  // namespace wells

@@ -22,45 +22,24 @@ struct FlawOfBall {
 Search::Search(const Limits& limits, const Protocol& protocol)
     : limits_(limits), model_(limits, protocol) {}
 
-std::uint32_t Search::groupNumber(const Group& group) {
-  const auto [entry, isNew] =
-      groupNumbers_.try_emplace(group, static_cast<std::uint32_t>(groups_.size()));
-  if (isNew) {
-    groups_.push_back(&entry->first);
-    groupSteps_.emplace_back();
-  }
-  return entry->second;
-}
-
 std::uint32_t Search::ballNumber(const Knowledge& ball) {
   words_.clear();
   ball.appendTo(words_);
   return balls_.number(words_);
 }
 
-const std::vector<Search::GroupStep>& Search::stepsOfGroup(std::uint32_t group) {
-  if (groupSteps_[group].empty()) {
-    std::vector<GroupStep> steps;
-    for (const GroupMove& move : model_.groupMoves(*groups_[group]))
-      steps.push_back({move.event, groupNumber(move.to)});
-    groupSteps_[group] = std::move(steps);
-  }
-  return groupSteps_[group];
-}
-
 void Search::computeSteps(const Pair& pair, Row& row) {
   row.clear();
-  const Group& group = *groups_[pair.group];
   const Knowledge ball(balls_[pair.ball]);
-  model_.check(group, ball);
-  for (const GroupStep& step : stepsOfGroup(pair.group)) {
-    model_.follow(group, *groups_[step.to], step.event, ball, moves_);
+  model_.check(pair.group, ball);
+  for (std::size_t step = 0; step < model_.groups().steps(pair.group).size(); ++step) {
+    model_.follow(pair.group, step, ball, moves_);
     row.push_back(static_cast<std::uint32_t>(moves_.size()));
     for (const BallMove& move : moves_) row.push_back(ballNumber(move.to));
   }
-  model_.ballMoves(group, ball, moves_);
+  model_.ballMoves(pair.group, ball, moves_);
   for (const BallMove& move : moves_) {
-    row.push_back(move.group == group ? pair.group : groupNumber(move.group));
+    row.push_back(move.group);
     row.push_back(ballNumber(move.to));
   }
 }
@@ -103,18 +82,27 @@ void Search::flush(std::uint32_t parent) {
   pending_.clear();
 }
 
+bool Search::isWorthwhile(const GroupStep& step, const State& state) const {
+  if (!step.isReordering) return true;
+  return std::any_of(state.balls.begin(), state.balls.begin() + limits_.balls,
+                     [&](std::uint32_t ball) {
+                       return model_.hasAdopted(step.event.peer, Knowledge(balls_[ball]));
+                     });
+}
+
 void Search::expand(std::uint32_t number) {
   const State state = states_[number];
   std::array<std::span<const std::uint32_t>, kMaxBalls> rows;
   for (int place = 0; place < limits_.balls; ++place)
     rows[place] = stepsOfBall({state.group, state.balls[place]}, place);
 
-  for (const GroupStep& step : stepsOfGroup(state.group)) {
+  for (const GroupStep& step : model_.groups().steps(state.group)) {
     std::array<std::span<const std::uint32_t>, kMaxBalls> outcomes;
     for (int place = 0; place < limits_.balls; ++place) {
       outcomes[place] = rows[place].subspan(1, rows[place].front());
       rows[place] = rows[place].subspan(1 + rows[place].front());
     }
+    if (!isWorthwhile(step, state)) continue;
     for (const std::uint32_t first : outcomes[0]) {
       if (limits_.balls == 1) add({step.to, {first}});
       for (const std::uint32_t second : outcomes[1]) add({step.to, {first, second}});
@@ -132,19 +120,19 @@ void Search::expand(std::uint32_t number) {
 
 std::size_t Search::bytes() const {
   return balls_.bytes() + states_.bytes() + parents_.bytes() + pairs_.bytes() + pairSteps_.bytes() +
-         pairRows_.bytes() + model_.bytes() + groups_.size() * kGroupBytes;
+         pairRows_.bytes() + model_.bytes() + model_.groups().size() * kGroupBytes;
 }
 
 Progress Search::progress() const {
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start_;
-  return {states_.size(), expanded_,        transitions_,    depth_, groups_.size(),
+  return {states_.size(), expanded_,        transitions_,    depth_, model_.groups().size(),
           balls_.size(),  model_.checked(), seconds.count(), bytes()};
 }
 
 Result Search::run(const std::function<void(const Progress&)>& report) {
   start_ = std::chrono::steady_clock::now();
   const std::uint32_t nothing = ballNumber(Knowledge{});
-  State first{groupNumber(newGroup(limits_)), {}};
+  State first{model_.groups().number(newGroup(limits_)), {}};
   for (int place = 0; place < limits_.balls; ++place) first.balls[place] = nothing;
   add(first);
   flush(0);
@@ -189,25 +177,24 @@ Search::TraceStep Search::stepBetween(const State& from, const State& to, Names&
     names = named;
     return true;
   };
-  const Group& group = *groups_[from.group];
   std::array<std::vector<BallMove>, kMaxBalls> moves;
-  for (const GroupStep& step : stepsOfGroup(from.group)) {
+  const std::vector<GroupStep>& steps = model_.groups().steps(from.group);
+  for (std::size_t step = 0; step < steps.size(); ++step) {
     moves[1].assign(1, {});
     for (int place = 0; place < limits_.balls; ++place)
-      model_.follow(group, *groups_[step.to], step.event, Knowledge(balls_[from.balls[place]]),
-                    moves[place]);
+      model_.follow(from.group, step, Knowledge(balls_[from.balls[place]]), moves[place]);
     for (const BallMove& first : moves[0])
       for (const BallMove& second : moves[1]) {
-        State next{step.to, {ballNumber(first.to)}};
+        State next{steps[step].to, {ballNumber(first.to)}};
         if (limits_.balls == 2) next.balls[1] = ballNumber(second.to);
-        if (leads(next)) return {step.event, {}};
+        if (leads(next)) return {steps[step].event, {}};
       }
   }
   for (int place = 0; place < limits_.balls; ++place) {
-    model_.ballMoves(group, Knowledge(balls_[from.balls[place]]), moves[0]);
+    model_.ballMoves(from.group, Knowledge(balls_[from.balls[place]]), moves[0]);
     for (const BallMove& move : moves[0]) {
       State next = from;
-      next.group = groupNumber(move.group);
+      next.group = move.group;
       next.balls[place] = ballNumber(move.to);
       const int name = names[place];
       if (leads(next)) return {move.event, name};
@@ -228,17 +215,19 @@ std::string Search::trace(std::uint32_t number, const Flaw& flaw, int place) {
     std::vector<Knowledge> balls(limits_.balls);
     for (int i = 0; i < limits_.balls; ++i) balls[names[i]] = Knowledge(balls_[state.balls[i]]);
     if (heard) balls[names[place]].records = *heard;
-    text += describe(*groups_[state.group], balls, model_, limits_);
+    text += describe(model_.groups()[state.group].group, balls, model_, limits_);
   };
   for (std::size_t i = 1; i < path.size(); ++i) {
     const State from = states_[path[i - 1]], to = states_[path[i]];
     const auto [event, ball] = stepBetween(from, to, names);
     text += std::to_string(i) + ". " +
-            describe(event, *groups_[from.group], *groups_[to.group], ball, model_) + "\n";
+            describe(event, model_.groups()[from.group].group, model_.groups()[to.group].group,
+                     ball, model_) +
+            "\n";
     show(to, {});
   }
   const State last = states_[number];
-  const Group& group = *groups_[last.group];
+  const Group& group = model_.groups()[last.group].group;
   if (flaw.event) {
     text += std::to_string(path.size()) + ". " +
             describe(*flaw.event, group, group, names[place], model_) + "\n";

@@ -5,9 +5,7 @@
 
 #include <array>
 #include <chrono>
-#include <deque>
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -70,19 +68,14 @@ class Search {
     std::uint32_t group = 0, ball = 0;
     bool operator==(const Pair&) const = default;
   };
-  struct GroupStep {
-    Event event;
-    std::uint32_t to = 0;
-  };
   /// What may happen to one ball in a group. For each of the group's steps: how many balls may come
   /// of it, and these; then for each step of its own: the group and the ball.
   using Row = std::vector<std::uint32_t>;
 
-  std::uint32_t groupNumber(const Group& group);
   std::uint32_t ballNumber(const Knowledge& ball);
-  const std::vector<GroupStep>& stepsOfGroup(std::uint32_t group);
   std::span<const std::uint32_t> stepsOfBall(const Pair& pair, int place);
   void computeSteps(const Pair& pair, Row& row);
+  bool isWorthwhile(const GroupStep& step, const State& state) const;
   void expand(std::uint32_t number);
   void add(State state);
   void flush(std::uint32_t parent);
@@ -98,9 +91,6 @@ class Search {
 
   Limits limits_;
   Model model_;
-  std::map<Group, std::uint32_t> groupNumbers_;
-  std::vector<const Group*> groups_;
-  std::deque<std::vector<GroupStep>> groupSteps_;  // in which a reference lasts
   RowNumbering balls_;
   Numbering<State> states_;
   Chunks<std::uint32_t> parents_;
