@@ -8,6 +8,7 @@
 
 #include "clocks.h"
 #include "errors.h"
+#include "keys.h"
 #include "math/hash.h"
 #include "network/codec.h"
 #include "network/memory_transport.h"
@@ -64,6 +65,11 @@ SessionOptions makeSessionOptions(const PeerOptions& options, const World& initi
   if (!link.lcm) session.listen = 0;  // there is nobody to be heard
   session.stepRate = stepRate(config, options.engine);
   session.canonicalConfig = canonicalConfig(config, options.engine, initial.balls);
+  session.defaultOf = [](std::string_view name) {
+    const Key* key = findKey(name);
+    const auto values = key ? key->get(Config{}) : std::vector<std::string>{};
+    return values.empty() ? "" : values.front();
+  };
   session.worldHash = worldHash(session.canonicalConfig);
   session.well.softening = motion.softening();
   session.well.at = [&motion](PeerId peer, std::int64_t step) { return motion.at(peer, step); };

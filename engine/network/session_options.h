@@ -8,6 +8,7 @@
 #include <string>
 
 #include "network/shared_settings.h"
+#include "network/world_difference.h"
 #include "ownership/handover.h"
 #include "state/world.h"
 
@@ -53,6 +54,7 @@ struct SessionOptions {
   HandoverRule handover{};
 
   std::string canonicalConfig;  // KEY=VALUE lines in a fixed order, at most 1000 bytes
+  DefaultValue defaultOf;       // of its keys, which are listed where they differ
   std::int64_t worldHash = 0;   // of the world, content of its files included
   OwnWell well;
   Predictor predict;

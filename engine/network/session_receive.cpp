@@ -182,8 +182,9 @@ std::optional<Drop> Session::hear(World&, const gravity_wells::world_config_t& m
 void Session::noteForeignWorld(Peer& other, const std::string& canonical) {
   if (other.isNoted) return;
   other.isNoted = true;
-  const std::string text = describe(other) + " simulates another world: " +
-                           describeDifference(canonical, options_.canonicalConfig);
+  const std::string text =
+      describe(other) + " simulates another world: " +
+      describeDifference(canonical, options_.canonicalConfig, options_.defaultOf);
   const bool isSenior =
       other.phase != Phase::Joining || other.startedBefore(startedUs_, self_.number);
   if (phase_ == Phase::Joining && isSenior) {

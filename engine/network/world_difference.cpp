@@ -23,17 +23,21 @@ std::string sentence(std::string_view key, std::string_view theirs, std::string_
 
 }  // namespace
 
-std::string describeDifference(std::string_view theirs, std::string_view ours) {
-  constexpr std::string_view kUnset = "unset";
+std::string describeDifference(std::string_view theirs, std::string_view ours,
+                               const DefaultValue& defaultOf) {
+  const auto unset = [&](std::string_view key) {
+    const std::string value = defaultOf ? defaultOf(key) : "";
+    return value.empty() ? "not set" : value + " (the default)";
+  };
   const auto there = parse(theirs);
   const auto here = parse(ours);
   for (const auto& [key, value] : here) {
     const auto other = there.find(key);
-    if (other == there.end()) return sentence(key, kUnset, value);
+    if (other == there.end()) return sentence(key, unset(key), value);
     if (other->second != value) return sentence(key, other->second, value);
   }
   for (const auto& [key, value] : there)
-    if (!here.contains(key)) return sentence(key, value, kUnset);
+    if (!here.contains(key)) return sentence(key, value, unset(key));
   return "all keys are equal, so the content of a file that they name differs";
 }
 

@@ -227,8 +227,10 @@ TEST(WellsExchange, AKeyframeOnceHeardIsNeverChanged) {
 
 TEST(WorldDifference, NamesTheKeyAndBothValues) {
   EXPECT_EQ(describeDifference("A=1\nB=2\n", "A=1\nB=3\n"), "B is 2 there and 3 here");
-  EXPECT_EQ(describeDifference("A=1\n", "A=1\nB=3"), "B is unset there and 3 here");
-  EXPECT_EQ(describeDifference("A=1\nC=4", "A=1\n"), "C is 4 there and unset here");
+  EXPECT_EQ(describeDifference("A=1\n", "A=1\nB=3"), "B is not set there and 3 here");
+  EXPECT_EQ(describeDifference("A=1\nC=4", "A=1\n"), "C is 4 there and not set here");
+  const DefaultValue five = [](std::string_view) { return "5"; };
+  EXPECT_EQ(describeDifference("A=1\n", "", five), "A is 1 there and 5 (the default) here");
   EXPECT_EQ(describeDifference("A=x=y", "A=x=z"), "A is x=y there and x=z here");
   EXPECT_NE(describeDifference("A=1", "A=1").find("content of a file"), std::string::npos);
   describeDifference("\n\n===\n no key", "");  // foreign text may be anything
