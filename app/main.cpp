@@ -14,6 +14,7 @@
 #include "keys.h"
 #include "peer.h"
 #include "peer_options.h"
+#include "peers_command.h"
 #include "spy.h"
 
 namespace wells {
@@ -24,6 +25,7 @@ constexpr const char* kUsage =
     "       gravity-wells demo [OPTION...]    two peers on this machine share a world\n"
     "       gravity-wells bench [OPTION...]   one scene, measured\n"
     "       gravity-wells spy --text          a live table of a session\n"
+    "       gravity-wells peers [OPTION...]   does multicast pass between machines?\n"
     "       gravity-wells keys                the config keys as a Markdown table\n"
     "Each takes --help.\n";
 
@@ -42,6 +44,7 @@ int run(int argc, char** argv) {
   if (command == "bench") return runBench(arguments, argv);
   if (command == "demo") return runDemo(arguments);
   if (command == "spy") return runSpy(arguments);
+  if (command == "peers") return runPeers(arguments);
   if (command == "keys") {
     fmt::print("{}", keysAsMarkdown());
     return 0;
@@ -50,7 +53,7 @@ int run(int argc, char** argv) {
     fmt::print("{}", kUsage);
     return 0;
   }
-  throw UsageError(fmt::format("{}; allowed: peer, demo, bench, spy, keys, help",
+  throw UsageError(fmt::format("{}; allowed: peer, demo, bench, spy, peers, keys, help",
                                command.empty() ? "no command" : command + ": no such command"));
 }
 
