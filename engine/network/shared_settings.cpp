@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include "math/hash.h"
 
@@ -79,13 +80,16 @@ bool SharedSettings::learn(std::string_view key, const Register& value) {
   }
   const auto rank = [](const Register& r) { return std::tie(r.version, r.setter); };
   if (rank(value) <= rank(known->second)) return false;
-  known->second = value;
+  former_[known->first] = std::exchange(known->second, value);
   return true;
 }
 
 const Register* SharedSettings::inForce(std::string_view key, std::int64_t step) const {
-  const auto known = registers_.find(key);
-  return known != registers_.end() && known->second.fromStep <= step ? &known->second : nullptr;
+  for (const Registers* registers : {&registers_, &former_}) {
+    const auto known = registers->find(key);
+    if (known != registers->end() && known->second.fromStep <= step) return &known->second;
+  }
+  return nullptr;
 }
 
 Register SharedSettings::next(std::string_view key, std::string value, std::int64_t setter,
@@ -108,6 +112,12 @@ std::uint64_t SharedSettings::digest() const {
 
 void SharedSettings::restart() {
   for (auto& [key, value] : registers_) value.fromStep = 0;
+  former_.clear();
+}
+
+void SharedSettings::clear() {
+  registers_.clear();
+  former_.clear();
 }
 
 Settings applied(const SharedSettings& shared, const Settings& world, std::int64_t step) {
@@ -123,7 +133,9 @@ Settings applied(const SharedSettings& shared, const Settings& world, std::int64
 }
 
 bool isPaused(const SharedSettings& shared, std::int64_t step) {
-  return valueInForce(shared, setting::kPause, step) == "true";
+  if (valueInForce(shared, setting::kPause, step) != "true") return false;
+  // A world that stands still comes to no later step: what ends a pause ends it at once.
+  return shared.registers().find(setting::kPause)->second.value == "true";
 }
 
 double stepRate(const SharedSettings& shared, std::int64_t step, double otherwise) {

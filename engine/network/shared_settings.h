@@ -64,7 +64,8 @@ class SharedSettings {
 
   const Registers& registers() const { return registers_; }
 
-  /// The register of `key` once its step has come; nullptr before, and when it was never set.
+  /// The register of `key` once its step has come, and the one that it followed until then; nullptr
+  /// when there is none.
   const Register* inForce(std::string_view key, std::int64_t step) const;
 
   /// The register that `value` becomes when `setter` sets it now.
@@ -77,10 +78,11 @@ class SharedSettings {
   /// All hold from the first step on: the world starts over.
   void restart();
 
-  void clear() { registers_.clear(); }
+  void clear();
 
  private:
   Registers registers_;
+  Registers former_;  // which those of registers_ follow when their steps come
 };
 
 /// `world`'s own settings as the registers in force at `step` change them.

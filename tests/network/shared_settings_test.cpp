@@ -41,6 +41,31 @@ TEST(SharedSettings, AValueHoldsFromItsStepOn) {
   EXPECT_EQ(applied(shared, world, 0).elasticity, 0.25) << "the world starts over with them";
 }
 
+TEST(SharedSettings, UntilItsStepComesTheValueBeforeItHolds) {
+  SharedSettings shared;
+  Settings world;
+  shared.learn(setting::kElasticity, value("0.25", 1, 1, 50));
+  shared.learn(setting::kElasticity, value("0.5", 2, 1, 100));
+  EXPECT_EQ(applied(shared, world, 49).elasticity, world.elasticity);
+  EXPECT_EQ(applied(shared, world, 99).elasticity, 0.25);
+  EXPECT_EQ(applied(shared, world, 100).elasticity, 0.5);
+  shared.restart();
+  EXPECT_EQ(applied(shared, world, 0).elasticity, 0.5);
+  shared.clear();
+  EXPECT_EQ(applied(shared, world, 100).elasticity, world.elasticity);
+}
+
+TEST(SharedSettings, APauseEndsAtOnceForTheStepAtWhichItWouldEndNeverComes) {
+  SharedSettings shared;
+  shared.learn(setting::kPause, value("true", 1, 1, 50));
+  EXPECT_TRUE(isPaused(shared, 50));
+  shared.learn(setting::kPause, value("false", 2, 1, 80));
+  EXPECT_FALSE(isPaused(shared, 50));
+  shared.learn(setting::kPause, value("true", 3, 1, 90));
+  EXPECT_FALSE(isPaused(shared, 89));
+  EXPECT_TRUE(isPaused(shared, 90));
+}
+
 TEST(SharedSettings, PauseAndPaceAndResets) {
   SharedSettings shared;
   EXPECT_FALSE(isPaused(shared, 0));
