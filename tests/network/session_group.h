@@ -70,8 +70,8 @@ inline SessionOptions testOptions(int id, std::uint64_t start = 0) {
 
 /// One peer as its program would run it.
 struct TestPeer {
-  TestPeer(SessionOptions options, std::size_t balls, std::shared_ptr<MemoryNetwork> network)
-      : world(testWorld(balls)),
+  TestPeer(SessionOptions options, World initial, std::shared_ptr<MemoryNetwork> network)
+      : world(std::move(initial)),
         transport(std::make_unique<MemoryTransport>(std::move(network))),
         stepper(makeSimulation()) {
     options.notice = [this](const std::string& text) { notices.push_back(text); };
@@ -94,11 +94,17 @@ struct TestPeer {
 
 class Group {
  public:
-  explicit Group(std::size_t balls, std::uint64_t seed = 1, const MemoryFaults& faults = {})
-      : balls_(balls), network_(std::make_shared<MemoryNetwork>(seed, faults)) {}
+  /// `prepare` changes the world and the settings with which every peer starts.
+  explicit Group(std::size_t balls, std::uint64_t seed = 1, const MemoryFaults& faults = {},
+                 std::function<void(World&)> prepare = {})
+      : balls_(balls),
+        prepare_(std::move(prepare)),
+        network_(std::make_shared<MemoryNetwork>(seed, faults)) {}
 
   TestPeer& add(SessionOptions options) {
-    peers_.push_back(std::make_unique<TestPeer>(std::move(options), balls_, network_));
+    World world = testWorld(balls_);
+    if (prepare_) prepare_(world);
+    peers_.push_back(std::make_unique<TestPeer>(std::move(options), std::move(world), network_));
     return *peers_.back();
   }
 
@@ -230,6 +236,7 @@ class Group {
   }
 
   std::size_t balls_;
+  std::function<void(World&)> prepare_;
   std::shared_ptr<MemoryNetwork> network_;
   std::vector<std::unique_ptr<TestPeer>> peers_;
   std::map<Tenure, Incarnation> owners_;

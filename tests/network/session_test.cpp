@@ -203,6 +203,47 @@ TEST(Session, TheBallsOfAKilledOwnerAreOwnedAgainWithinTwoLeases) {
   }
 }
 
+/// An elastic gas without gravity or friction, in which nothing but an impact changes a velocity
+/// and nothing at all the kinetic energy.
+void makeGas(World& world) {
+  world.settings.gravity = Vec3::Zero();
+  world.settings.elasticity = 1;
+  world.settings.friction = 0;
+  Random random(5);
+  for (Vec3& v : world.balls.velocity)
+    v = {random.uniform(-3, 3), random.uniform(-1, 1), random.uniform(-3, 3)};
+}
+
+/// J, of the states of those who act as owners.
+double kineticEnergy(Group& group) {
+  double energy = 0;
+  for (const auto& peer : group.peers())
+    for (std::size_t i = 0; i < group.balls(); ++i)
+      if (peer->world.roles[i] == Role::Owned)
+        energy += 0.5 * peer->world.balls.mass[i] * squaredLength(peer->world.balls.velocity[i]);
+  return energy;
+}
+
+TEST(Session, AdoptionLosesNoBallAndAddsNoKineticEnergy) {
+  Group group(100, 1, {}, makeGas);
+  for (int id = 1; id <= 3; ++id) {
+    SessionOptions options = testOptions(id);
+    options.well = restingWell({20.0 * (id - 2), 0.5, 0}, 0);
+    group.add(options);
+  }
+  ASSERT_TRUE(group.runUntil([&] { return group.allActiveInOneGeneration(); }, 15));
+  group.run(5);
+  ASSERT_TRUE(group.everyBallHasOneOwner());
+  const double before = kineticEnergy(group);
+  ASSERT_GT(group.peers()[1]->owned(), 10u);
+  group.kill(*group.peers()[1]);
+  ASSERT_TRUE(group.runUntil([&] { return group.everyBallHasOneOwner(); }, 2 * kLease));
+  EXPECT_NEAR(kineticEnergy(group) / before, 1, 1e-9);
+  group.run(5);
+  EXPECT_TRUE(group.everyBallHasOneOwner());
+  EXPECT_NEAR(kineticEnergy(group) / before, 1, 1e-9);
+}
+
 TEST(Session, WhoLeavesIsNotWaitedFor) {
   Group group(100);
   for (int id = 1; id <= 3; ++id) group.add(testOptions(id));
