@@ -53,8 +53,9 @@ void extendOwnTrack(Tracks& tracks, PeerId self, const OwnWell& well, std::int64
 }
 
 void switchOff(Tracks& tracks, PeerId gone, std::int64_t step) {
-  std::vector<WellKeyframe>& keys = trackOf(tracks, gone).keyframes;
-  if (keys.empty()) return;
+  const auto track = std::ranges::find(tracks, gone, &WellTrack::peer);
+  if (track == tracks.end()) return;
+  std::vector<WellKeyframe>& keys = track->keyframes;
   const std::int64_t after = std::max(keys.back().step, step + kInputDelay);
   const std::int64_t between = lastMultiple(after) + kKeyframeInterval + kKeyframeInterval / 2;
   keys.push_back({between, keys.back().position, 0});
