@@ -33,6 +33,7 @@ libgtest-dev - GoogleTest: the tests are part of the build's configuration
 "
 test_packages="
 clang-format - checks the format of the sources
+nftables - loses datagrams between peers
 "
 plots_packages="
 gnuplot-nox - draws the plots of the benchmark
