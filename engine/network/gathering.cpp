@@ -41,13 +41,13 @@ void Gathering::compare(std::span<const Record> records, const Incarnation& peer
   times[bucket] = now;
 }
 
-bool Gathering::isComplete(std::span<const Incarnation> peers, double time) const {
-  const auto agrees = [&](const Incarnation& peer) {
+bool Gathering::agrees(std::span<const Incarnation> peers, double time) const {
+  const auto agreed = [&](const Incarnation& peer) {
     const auto times = agreedAt_.find(peer);
     return times != agreedAt_.end() &&
            std::ranges::all_of(times->second, [&](double at) { return at >= time; });
   };
-  return missing_ == 0 && !peers.empty() && std::ranges::all_of(peers, agrees);
+  return std::ranges::all_of(peers, agreed);
 }
 
 std::int64_t Gathering::latestStep() const {

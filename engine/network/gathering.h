@@ -40,9 +40,8 @@ class Gathering {
   /// Balls of which no state is held.
   std::size_t missing() const { return missing_; }
 
-  /// True when a state of every ball is held and all records agreed with those of each of `peers`,
-  /// one at least, since `time` (s).
-  bool isComplete(std::span<const Incarnation> peers, double time) const;
+  /// True when all records agreed with those of each of `peers` since `time` (s).
+  bool agrees(std::span<const Incarnation> peers, double time) const;
 
   /// Of the states that are held; 0: none.
   std::int64_t latestStep() const;

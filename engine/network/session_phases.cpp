@@ -77,6 +77,7 @@ void Session::enter(World& world, const Generation& generation, Times now) {
   balls_.enter(world, generation);
   shared_.clear();
   knowsSettings_ = false;
+  completeSince_ = now.monotonic;
   removeTracks(world.tracks, [](const WellTrack&) { return true; });
   world.step = 0;
   lastActiveHeard_ = now.monotonic;
@@ -109,14 +110,22 @@ void Session::synchronise(World& world, Times now) {
   }
 }
 
-bool Session::isSynchronised(const World& world, Times now) const {
-  // The digests of many balls take turns; each has a few chances to be heard.
-  constexpr double kRounds = 3;
-  const double recently = now.monotonic - options_.lease - kRounds * digestRound();
+bool Session::isSynchronised(const World& world, Times now) {
   std::vector<Incarnation> active;
   for (const Peer* other : peers_.livingActive(now.monotonic)) active.push_back(other->who);
-  return knowsSettings_ && knowsAllWells(world, now) &&
-         balls_.gathering().isComplete(active, recently);
+  if (active.empty() || !knowsSettings_ || !knowsAllWells(world, now) || !balls_.knowsAllOwners()) {
+    completeSince_ = now.monotonic;
+    return false;
+  }
+  // The digests of many balls take turns; each has a few chances to be heard.
+  constexpr double kRounds = 3;
+  const double round = kRounds * digestRound();
+  if (balls_.gathering().agrees(active, now.monotonic - options_.lease - round)) return true;
+  // We may be the only one to know something: its owner was heard by nobody else and is gone. Only
+  // an active peer can tell the others, or adopt the ball.
+  if (now.monotonic - completeSince_ <= 2 * options_.lease + round) return false;
+  note("knows of owners that the others do not know, and takes part nevertheless");
+  return true;
 }
 
 bool Session::isLowest(Times now) const {
@@ -228,11 +237,12 @@ void Session::fence(World& world, PeerId newId, Times now) {
   const double lastLoop = lastLoop_.value_or(now.monotonic);
   ++counts_.fences;
   peers_.leases().end(self_, now.monotonic);
-  if (newId != peer()) switchOff(world.tracks, peer(), world.step);
+  if (newId != peer() && phase_ == Phase::Active) switchOff(world.tracks, peer(), world.step);
   takeIncarnation(newId, now);
   if (peers_.heardMemberSince(lastLoop - options_.lease)) {
     balls_.forget(world, generation_);
     knowsSettings_ = false;
+    completeSince_ = now.monotonic;
     lastActiveHeard_ = now.monotonic;
     phase_ = Phase::Syncing;
     return;

@@ -44,6 +44,12 @@ void SharedBalls::drop(World& world) {
   views_.clear();
 }
 
+bool SharedBalls::knowsAllOwners() const {
+  return gathering_.missing() == 0 && std::ranges::all_of(records_, [](const Record& record) {
+           return record.version.owner != Incarnation{};
+         });
+}
+
 void SharedBalls::activate(World& world) {
   for (std::size_t i = 0; i < records_.size(); ++i)
     if (gathering_.has(i)) place(world, i, world.balls.state(i), gathering_.stepOf(i));

@@ -82,6 +82,9 @@ class SharedBalls {
   /// What is held of each ball since enter() or forget().
   const Gathering& gathering() const { return gathering_; }
 
+  /// While gathering: a state of every ball is held and every record names an owner.
+  bool knowsAllOwners() const;
+
   /// Ends the gathering: all states are brought to world.step.
   void activate(World& world);
 

@@ -34,9 +34,9 @@ void addOwnTrack(Tracks& tracks, PeerId self, const OwnWell& well, std::int64_t 
 /// Makes the keyframes that are due at `step`. They lie at multiples of the interval.
 void extendOwnTrack(Tracks& tracks, PeerId self, const OwnWell& well, std::int64_t step);
 
-/// Switches the well of a peer that is gone off, after the input delay. Its owner's keyframes lie
-/// at multiples of the interval and these between them, so that all tracks can be united. Should
-/// the owner still live, its next keyframe switches the well on again.
+/// Switches the well of a peer that is gone off, if there is one, after the input delay. Its
+/// owner's keyframes lie at multiples of the interval and these between them, so that all tracks
+/// can be united. Should the owner still live, its next keyframe switches the well on again.
 void switchOff(Tracks& tracks, PeerId gone, std::int64_t step);
 
 /// True when the last keyframe of the track has strength 0.

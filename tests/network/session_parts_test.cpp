@@ -214,6 +214,33 @@ TEST(WellsExchange, TracksAreInOneOrderWhoeverCameFirst) {
   EXPECT_EQ(tracks[1].peer, PeerId{2});
 }
 
+TEST(WellsExchange, AWellIsSwitchedOffBetweenItsOwnersKeyframesAndOnAgainByThem) {
+  Tracks own;
+  addOwnTrack(own, PeerId{1}, lineWell(), 0, Appearance::AtOnce);
+  Tracks other;
+  learnTrack(other, wellMessage(own, PeerId{1}), 0);
+  switchOff(other, PeerId{1}, 100);
+  const std::int64_t off = other[0].keyframes.back().step;
+  EXPECT_GE(off, 100 + kInputDelay);
+  EXPECT_EQ(off % kKeyframeInterval, kKeyframeInterval / 2);
+  EXPECT_NE(wellAt(other[0], off - 1, 1).strength, 0);
+  EXPECT_EQ(wellAt(other[0], off, 1).strength, 0);
+
+  // It was heard again: both learn what the other has, and their tracks are the same.
+  for (std::int64_t step = 1; step <= 200; ++step) extendOwnTrack(own, PeerId{1}, lineWell(), step);
+  EXPECT_EQ(learnTrack(own, wellMessage(other, PeerId{1}), 200), TrackNews::Late);
+  learnTrack(other, wellMessage(own, PeerId{1}), 200);
+  for (std::int64_t step = 120; step <= 212; ++step)
+    EXPECT_EQ(wellAt(own[0], step, 1).strength, wellAt(other[0], step, 1).strength) << step;
+  EXPECT_NE(wellAt(other[0], off + kKeyframeInterval, 1).strength, 0);
+}
+
+TEST(WellsExchange, SwitchingOffAnUnknownWellMakesNone) {
+  Tracks tracks;
+  switchOff(tracks, PeerId{1}, 100);
+  EXPECT_TRUE(tracks.empty());
+}
+
 TEST(WellsExchange, AKeyframeOnceHeardIsNeverChanged) {
   Tracks tracks;
   addOwnTrack(tracks, PeerId{1}, lineWell(), 0, Appearance::AtOnce);
