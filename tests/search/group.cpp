@@ -82,7 +82,9 @@ class Moves {
       if (isListening(member)) found(peer);
       enter(peer);
       if (member.phase == Phase::Syncing) join(peer);
+      if (member.phase == Phase::Syncing) retreat(peer);
       if (member.phase == Phase::Active) fence(peer);
+      if (member.phase == Phase::Active) reset(peer);
       crash(peer);
     }
   }
@@ -108,20 +110,33 @@ class Moves {
   }
 
   void found(int peer) {
-    if (group_.foundings >= limits_.foundings) return;
+    if (group_.eras - group_.resets >= limits_.foundings) return;
+    beginEra(Deed::Found, peer, 0);
+  }
+
+  // Whoever takes itself for the lowest of the living does it.
+  void reset(int peer) {
+    if (group_.resets >= limits_.resets) return;
+    const Era& era = group_.generations[group_.members[peer].generation - 1];
+    beginEra(Deed::Reset, peer, era.resets + 1);
+  }
+
+  void beginEra(Deed deed, int peer, int resets) {
     unsigned used = 0;
     for (const Era& era : group_.generations)
       if (era.founded) used |= 1u << era.founded;
     for (const int rank : freshRanks(used)) {
-      Group& to = add(Deed::Found, peer);
-      to.generations[to.foundings++].founded = static_cast<std::uint8_t>(rank);
-      become(to, peer, {Phase::Active, group_.members[peer].number, to.foundings});
+      Group& to = add(deed, peer);
+      if (deed == Deed::Reset) ++to.resets;
+      to.generations[to.eras++] = {.founded = static_cast<std::uint8_t>(rank),
+                                   .resets = static_cast<std::uint8_t>(resets)};
+      become(to, peer, {Phase::Active, group_.members[peer].number, to.eras});
     }
   }
 
   void enter(int peer) {
     const Member& member = group_.members[peer];
-    for (int generation = 1; generation <= group_.foundings; ++generation) {
+    for (int generation = 1; generation <= group_.eras; ++generation) {
       const bool isGreater =
           generationOf(group_, generation) > generationOf(group_, member.generation);
       if (isGreater)
@@ -137,6 +152,24 @@ class Moves {
       to = *group;
       activate(to, peer);
     }
+  }
+
+  void retreat(int peer) {
+    const auto group = alone(group_, peer, limits_);
+    if (group_.fences >= limits_.fences || !group) return;
+    const std::vector<int> numbers = nextNumbers(group_, peer, conduct_);
+    const Generation own = generationOf(group_, group_.members[peer].generation);
+    for (int generation = 1; generation <= group_.eras; ++generation)
+      for (const int number : numbers) {
+        if (generationOf(group_, generation) >= own) continue;
+        Group& to = add(Deed::Retreat, peer, generation);
+        to = *group;
+        ++to.fences;
+        become(to, peer,
+               {Phase::Syncing, static_cast<std::uint8_t>(number),
+                static_cast<std::uint8_t>(generation)});
+        moves_.back().isReordering = number != numbers.front();
+      }
   }
 
   void fence(int peer) {
@@ -182,7 +215,7 @@ Group newGroup(const Limits& limits) {
 }
 
 bool isPassing(const Group& group, const Limits& limits) {
-  return limits.foundings == 1 && group.foundings == 1 &&
+  return limits.foundings + limits.resets == 1 && group.eras == 1 &&
          std::ranges::any_of(group.members, isListening);
 }
 
@@ -192,7 +225,8 @@ std::vector<GroupMove> movesOf(const Group& group, const Limits& limits, const C
 
 Generation generationOf(const Group& group, int generation) {
   if (generation == 0) return {};
-  return {.foundedUs = group.generations[generation - 1].founded};
+  const Era& era = group.generations[generation - 1];
+  return {.resets = era.resets, .foundedUs = era.founded};
 }
 
 Life lifeOf(const Group& group, int peer, const Incarnation& owner, const Conduct& conduct) {
@@ -228,7 +262,7 @@ bool mayAwaitNewcomers(const Group& group, int generation, const Limits& limits)
 }
 
 bool isCalm(const Group& group) {
-  return group.suspicions == 0 && group.crashes == 0 && group.fences == 0 && group.foundings <= 1;
+  return group.suspicions == 0 && group.crashes == 0 && group.fences == 0 && group.eras <= 1;
 }
 
 }  // namespace wells

@@ -43,7 +43,8 @@ struct Member {
 };
 
 struct Era {
-  std::uint8_t founded = 0;  // rank of the time; 0: not founded
+  std::uint8_t founded = 0;  // rank of the time, another one for each; 0: not founded
+  std::uint8_t resets = 0;
   // Who ever was active in it, by bitOf(): the others may believe for long after that it still is.
   std::uint64_t wasActive = 0;
 
@@ -55,7 +56,8 @@ struct Group {
   std::array<Era, kMaxGenerations> generations{};
   std::array<std::uint16_t, kMaxPeers> numbersUsed{};  // bit by number
   std::array<std::uint8_t, kMaxPeers> suspects{};      // bit by peer, of its present incarnation
-  std::uint8_t suspicions = 0, crashes = 0, restarts = 0, fences = 0, foundings = 0;  // so far
+  std::uint8_t suspicions = 0, crashes = 0, restarts = 0, fences = 0, resets = 0;  // so far
+  std::uint8_t eras = 0;                                                           // founded so far
 
   auto operator<=>(const Group&) const = default;
 };
@@ -63,7 +65,9 @@ struct Group {
 enum class Deed : std::uint8_t {
   // of a peer
   Found,
+  Reset,
   Enter,
+  Retreat,
   Activate,
   ActivateAlone,
   Crash,
@@ -83,7 +87,7 @@ enum class Deed : std::uint8_t {
 struct Event {
   Deed deed = Deed::Found;
   std::uint8_t peer = 0;      // who does it, counted from 0
-  std::uint16_t subject = 0;  // Enter: generation; Hear, Offer: the message's word
+  std::uint16_t subject = 0;  // Enter, Retreat: generation; Hear, Offer: the message's word
   std::uint16_t basis = 0;    // with a ball: the word of the record that it is done with
 };
 

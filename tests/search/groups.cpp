@@ -10,9 +10,9 @@ std::uint32_t Groups::number(const Group& group) {
   if (!isNew) return entry->second;
   KnownGroup known{.group = group, .isPassing = isPassing(group, limits_)};
   Core core{.members = group.members, .isCalm = isCalm(group)};
-  for (int generation = 1; generation <= group.foundings; ++generation) {
+  for (int generation = 1; generation <= group.eras; ++generation) {
     const std::uint8_t founded = group.generations[generation - 1].founded;
-    core.founded[generation - 1] = founded;
+    core.generations[generation - 1] = generationOf(group, generation);
     if (mayAwaitNewcomers(group, generation, limits_)) known.awaited |= 1u << founded;
   }
   if (cores_.size() > 0xffff) throw std::length_error("search: too many groups");

@@ -34,7 +34,7 @@ class Groups {
  private:
   struct Core {
     std::array<Member, kMaxPeers> members{};
-    std::array<std::uint8_t, kMaxGenerations> founded{};
+    std::array<Generation, kMaxGenerations> generations{};
     bool isCalm = false;
     auto operator<=>(const Core&) const = default;
   };

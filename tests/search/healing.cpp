@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::int64_t kStep = 0;
 constexpr int kMaxRounds = 16;        // far more than it takes
-constexpr std::int64_t kLate = 1000;  // later than every founding before
+constexpr std::int64_t kLate = 1000;  // after every founding and incarnation before
 
 class Healing {
  public:
@@ -34,6 +34,8 @@ class Healing {
       activate();
       adoptOrphans();
       exchange();
+      if (peers_ != before) continue;
+      if (conduct_.agreement == Conduct::Agreement::ForAWhile) activateUnagreed();
       if (peers_ == before) return verdict();
     }
     return "never comes to rest";
@@ -73,18 +75,25 @@ class Healing {
     }
   }
 
-  /// Those who sync with nobody.
+  /// Those who sync with nobody: they enter a lesser generation that has somebody active, or go on
+  /// alone.
   void goOnAlone() {
     const std::vector<Peer> before = peers_;
     for (Peer& peer : peers_) {
       if (peer.party.phase != Phase::Syncing) continue;
       const std::vector<Peer>& heard = turns_ == Turns::AllAtOnce ? before : peers_;
-      const bool hasCompany = std::ranges::any_of(heard, [&](const Peer& other) {
-        return other.party.phase == Phase::Active && other.generation == peer.generation;
-      });
-      if (hasCompany) continue;
-      peer.party.phase = Phase::Active;
-      adopt(peer);
+      Generation greatest{};
+      for (const Peer& other : heard)
+        if (other.party.phase == Phase::Active) greatest = std::max(greatest, other.generation);
+      if (greatest == peer.generation) continue;
+      if (greatest.exists()) {
+        peer.party.self.number += kLate;
+        peer.generation = greatest;
+        peer.record = rules_.unknown(greatest);
+      } else {
+        peer.party.phase = Phase::Active;
+        adopt(peer);
+      }
     }
   }
 
@@ -101,10 +110,24 @@ class Healing {
     }
   }
 
+  static bool mayActivate(const Peer& peer) {
+    return peer.party.phase == Phase::Syncing && peer.record.version.owner != Incarnation{};
+  }
+
   void activate() {
+    for (Peer& peer : peers_) {
+      const bool agrees = std::ranges::all_of(peers_, [&](const Peer& other) {
+        return other.party.phase != Phase::Active || other.generation != peer.generation ||
+               other.record.version == peer.record.version;
+      });
+      if (mayActivate(peer) && agrees) peer.party.phase = Phase::Active;
+    }
+  }
+
+  /// Those whose digests have not agreed with the others' for long.
+  void activateUnagreed() {
     for (Peer& peer : peers_)
-      if (peer.party.phase == Phase::Syncing && peer.record.version.owner != Incarnation{})
-        peer.party.phase = Phase::Active;
+      if (mayActivate(peer)) peer.party.phase = Phase::Active;
   }
 
   Life lifeOf(const Incarnation& owner, const Generation& generation) const {

@@ -13,6 +13,12 @@ enum class Hearing : std::uint8_t {
   BeforeActions,  // just before something is done that depends on it
 };
 
+/// Which promises are held to.
+enum class Promises : std::uint8_t {
+  All,
+  Safety,  // not that every state heals
+};
+
 struct Limits {
   int peers = 3;  // 2 .. 3
   int balls = 2;  // 1 .. 2
@@ -22,9 +28,12 @@ struct Limits {
   int suspicions = 2;  // of incarnations that live: one listener's lease of one incarnation ends
   int crashes = 1;     // a leave is the same thing (group.h)
   int restarts = 1;    // of peers that crashed; restarts + fences <= 3
-  int fences = 0;      // an active peer stood still and starts over with a new incarnation
-  int foundings = 1;   // generations, 1 .. 3
+  int fences = 0;      // a peer starts over with a new incarnation: it stood still, or nobody is
+                       // left in its generation
+  int foundings = 1;   // by peers that heard nobody, >= 1
+  int resets = 0;      // by active peers; foundings + resets <= 3
 
+  Promises promises = Promises::All;
   Hearing hearing = Hearing::BeforeActions;
   double seconds = 600;
   std::size_t memory = std::size_t{12} << 30;  // bytes

@@ -175,12 +175,18 @@ void Model::activate(std::uint32_t group, const GroupStep& step, const Knowledge
 void Model::prune(std::uint32_t number, Knowledge& ball) {
   const unsigned awaited = groups_[number].awaited;
   const Group& group = groups_[number].group;
+  const auto teaches = [&](Word message, int peer) {
+    try {
+      return isMember(group.members[peer]) &&
+             hear(group, peer, ball.records[peer], message) != ball.records[peer];
+    } catch (const Flaw&) {
+      return true;  // to be found when the state is looked at
+    }
+  };
   Word kept = 0;
   for (const Word message : ball.messages()) {
     bool matters = awaited >> versions_.founded(versionOfMessage(message)) & 1u;
-    for (int peer = 0; peer < limits_.peers && !matters; ++peer)
-      matters = isMember(group.members[peer]) &&
-                hear(group, peer, ball.records[peer], message) != ball.records[peer];
+    for (int peer = 0; peer < limits_.peers && !matters; ++peer) matters = teaches(message, peer);
     if (matters) ball.messageWords[kept++] = message;
   }
   ball.messageCount = kept;

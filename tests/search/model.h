@@ -64,7 +64,7 @@ class Model {
   void check(std::uint32_t group, const Knowledge& ball);
 
   /// Different cases that were checked: who is what, and has which record of a ball.
-  std::size_t checked() const { return checked_.size(); }
+  std::size_t cases() const { return checked_.size(); }
   std::size_t bytes() const;
 
   Entry entry(Word record) const;

@@ -156,13 +156,14 @@ const Model::Acts& Model::resultOf(std::uint32_t number, std::size_t index, Word
   during(step.event, [&] {
     switch (step.event.deed) {
       case Deed::Found:
-        act.record = 0;
+      case Deed::Reset:
         begin(self, protocol_.transitions.found(generation, self.self, kStep), act);
         break;
       case Deed::Enter:
         act.record = raised(record, {protocol_.transitions.unknown(generation)});
         break;
       case Deed::Fence:
+      case Deed::Retreat:
         act.record = wordOf({protocol_.transitions.unknown(generation)});
         break;
       case Deed::Crash:

@@ -125,8 +125,8 @@ std::size_t Search::bytes() const {
 
 Progress Search::progress() const {
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start_;
-  return {states_.size(), expanded_,        transitions_,    depth_, model_.groups().size(),
-          balls_.size(),  model_.checked(), seconds.count(), bytes()};
+  return {states_.size(), expanded_,      transitions_,    depth_, model_.groups().size(),
+          balls_.size(),  model_.cases(), seconds.count(), bytes()};
 }
 
 Result Search::run(const std::function<void(const Progress&)>& report) {

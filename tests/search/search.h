@@ -38,7 +38,7 @@ struct Progress {
   int depth = 0;
   std::size_t groups = 0;
   std::size_t knowledge = 0;  // of a ball, distinct
-  std::size_t checked = 0;    // Model::checked()
+  std::size_t cases = 0;      // Model::cases()
   double seconds = 0;
   std::size_t bytes = 0;  // of the tables
 };

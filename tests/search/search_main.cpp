@@ -28,6 +28,8 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0, 3));
   app.add_option("--foundings", limits.foundings, "generations that are founded")
       ->check(CLI::Range(1, kMaxGenerations));
+  app.add_option("--resets", limits.resets, "times that the world is started over")
+      ->check(CLI::Range(0, kMaxGenerations - 1));
   bool everyOrder = false;
   app.add_flag("--every-order", everyOrder,
                "each hearing of a message is a step of its own: slow, and finds the same");
@@ -42,6 +44,11 @@ int main(int argc, char** argv) {
   if (limits.restarts + limits.fences > 3) {
     fmt::print(stderr, "--restarts and --fences are {} together; at most 3 are allowed\n",
                limits.restarts + limits.fences);
+    return 2;
+  }
+  if (limits.foundings + limits.resets > kMaxGenerations) {
+    fmt::print(stderr, "--foundings and --resets are {} together; at most {} are allowed\n",
+               limits.foundings + limits.resets, kMaxGenerations);
     return 2;
   }
   if (everyOrder) limits.hearing = Hearing::AtAnyTime;
@@ -61,16 +68,16 @@ int main(int argc, char** argv) {
   const Progress& end = result.progress;
   fmt::print(
       "peers {}, balls {}, epochs {}, terms {}, suspicions {}, crashes {}, restarts {}, fences {}, "
-      "foundings {}\n",
+      "foundings {}, resets {}\n",
       limits.peers, limits.balls, limits.epochs, limits.terms, limits.suspicions, limits.crashes,
-      limits.restarts, limits.fences, limits.foundings);
+      limits.restarts, limits.fences, limits.foundings, limits.resets);
   fmt::print("outcome               {}\n", name(result.outcome));
   fmt::print("states                {}\n", end.states);
   fmt::print("transitions           {}\n", end.transitions);
   fmt::print("depth                 {}\n", end.depth);
   fmt::print("groups                {}\n", end.groups);
   fmt::print("knowledge of a ball   {}\n", end.knowledge);
-  fmt::print("checked for a ball    {}\n", end.checked);
+  fmt::print("cases of a ball       {}\n", end.cases);
   fmt::print("time                  {:.1f} s\n", end.seconds);
   fmt::print("peak memory           {:.2f} GiB\n",
              static_cast<double>(usage.ru_maxrss) / (1024 * 1024));

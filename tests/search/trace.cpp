@@ -35,6 +35,12 @@ std::string describe(const Event& event, const Group& before, const Group& after
     case Deed::Enter:
       return fmt::format("{} enters generation {}", who,
                          generationOf(after, event.subject).foundedUs);
+    case Deed::Reset:
+      return fmt::format("{} starts the world over, in generation {}", who,
+                         generationOf(after, after.members[event.peer].generation).foundedUs);
+    case Deed::Retreat:
+      return fmt::format("{} finds nobody in its generation, enters generation {} as {}", who,
+                         generationOf(after, event.subject).foundedUs, self(after));
     case Deed::Activate:
       return who + " has all states and becomes active";
     case Deed::ActivateAlone:

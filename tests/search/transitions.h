@@ -40,6 +40,8 @@ struct Conduct {
     KeepsOffers,
     ForgetsOffers
   } gathering = Gathering::KeepsOffers;
+  /// How long one that syncs waits for its digests to agree with those of everybody who is active.
+  enum class Agreement : std::uint8_t { ForAWhile, ForEver } agreement = Agreement::ForAWhile;
   enum class Activation : std::uint8_t {
     WithAllStates,
     Blind
