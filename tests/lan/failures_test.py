@@ -18,7 +18,7 @@ class KilledOwner(scenario.Scenario):
     LIFTED = 0.02  # m above the ground, where all lay: no contact
 
     def test_its_balls_go_on_in_other_hands(self):
-        peers = {host: self.start(host, "--duration", 8) for host in self.HOSTS}
+        peers = {host: self.start(host, "--duration", 6) for host in self.HOSTS}
         self.await_active(self.HOSTS)
         time.sleep(3)
         peers[VICTIM].process.send_signal(signal.SIGKILL)
@@ -82,13 +82,13 @@ class StoppedOwner(scenario.Scenario):
     STOP = 5.0  # s
 
     def test_it_comes_back_as_another_and_all_agree(self):
-        peers = {host: self.start(host, "--duration", 11) for host in self.HOSTS}
+        peers = {host: self.start(host, "--duration", 9) for host in self.HOSTS}
         self.await_active(self.HOSTS)
-        time.sleep(2)
+        time.sleep(1.5)
         peers[VICTIM].process.send_signal(signal.SIGSTOP)
         time.sleep(self.STOP)
-        peers[VICTIM].process.send_signal(signal.SIGCONT)
         woken = time.monotonic()
+        peers[VICTIM].process.send_signal(signal.SIGCONT)
         self.end(peers.values())
         self.assert_agreement(list(peers.values()))
         recorded = self.judge()

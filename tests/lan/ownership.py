@@ -48,3 +48,18 @@ def owners_at(recorded, time):
             if ball.id not in greatest or tenure > greatest[ball.id][0]:
                 greatest[ball.id] = tenure, owner
     return {ball: owner for ball, (_, owner) in greatest.items()}
+
+
+def digests_at_the_end(recorded):
+    """{host: {bucket: (balls counted, sum)}}, as last told before the first good-bye."""
+    told = {}
+    for message in recorded:
+        if message.type != "heartbeat_t":
+            continue
+        heartbeat = message.content
+        if heartbeat.phase == heartbeat.LEAVING:
+            break
+        for i, digest in enumerate(heartbeat.digests):
+            counted = int.from_bytes(digest.known, "little").bit_count()
+            told.setdefault(message.host, {})[heartbeat.first_bucket + i] = counted, digest.sum
+    return told
