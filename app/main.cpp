@@ -15,6 +15,7 @@
 #include "peer.h"
 #include "peer_options.h"
 #include "peers_command.h"
+#include "set_command.h"
 #include "spy.h"
 
 namespace wells {
@@ -26,6 +27,7 @@ constexpr const char* kUsage =
     "       gravity-wells bench [OPTION...]   one scene, measured\n"
     "       gravity-wells spy --text          a live table of a session\n"
     "       gravity-wells peers [OPTION...]   does multicast pass between machines?\n"
+    "       gravity-wells set KEY=VALUE...    changes a live session\n"
     "       gravity-wells keys                the config keys as a Markdown table\n"
     "Each takes --help.\n";
 
@@ -44,6 +46,7 @@ int run(int argc, char** argv) {
   if (command == "bench") return runBench(arguments, argv);
   if (command == "demo") return runDemo(arguments);
   if (command == "spy") return runSpy(arguments);
+  if (command == "set") return runSet(arguments);
   if (command == "peers") return runPeers(arguments);
   if (command == "keys") {
     fmt::print("{}", keysAsMarkdown());
@@ -53,7 +56,7 @@ int run(int argc, char** argv) {
     fmt::print("{}", kUsage);
     return 0;
   }
-  throw UsageError(fmt::format("{}; allowed: peer, demo, bench, spy, peers, keys, help",
+  throw UsageError(fmt::format("{}; allowed: peer, demo, bench, spy, peers, set, keys, help",
                                command.empty() ? "no command" : command + ": no such command"));
 }
 

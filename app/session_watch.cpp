@@ -122,7 +122,7 @@ std::vector<WatchedSession> SessionWatch::sessions() const {
     WatchedSession& session = sessions.back();
     session.peers.push_back(peer);
     for (const auto& [key, value] : peer->settings.registers()) session.settings.learn(key, value);
-    if (session.canonical.empty()) session.canonical = peer->canonical;
+    if (!session.canonical) session.canonical = peer->canonical;
     session.step = std::max(session.step, peer->heartbeat.header.step);
   }
   return sessions;

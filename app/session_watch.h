@@ -35,7 +35,7 @@ struct WatchedPeer {
   std::optional<gravity_wells::statistics_t> statistics{};  // the latest
   double statisticsAt = 0;                                  // s
   SharedSettings settings{};                                // that it has shown
-  std::string canonical{};                                  // its world's config; empty: not heard
+  std::optional<std::string> canonical{};                   // its world's config
 
   PeerId id() const { return PeerId{heartbeat.header.peer_id}; }
   Phase phase() const { return static_cast<Phase>(heartbeat.phase); }
@@ -52,7 +52,7 @@ struct WatchedSession {
   Generation generation{};
   std::vector<const WatchedPeer*> peers{};  // by id
   SharedSettings settings{};                // that any of them has shown
-  std::string canonical{};                  // the world's config; empty: not heard
+  std::optional<std::string> canonical{};   // the world's config: KEY=VALUE lines without defaults
   std::int64_t step = 0;                    // the greatest
 
   /// Those who are here and active.

@@ -30,7 +30,6 @@ std::optional<std::string> checkAsConfig(std::string_view key, std::string_view 
   }
 }
 
-// A file would have to be on another machine.
 std::optional<std::string> checkPath(std::string_view key, std::string_view value) {
   const Key& known = *findKey(setting::kWellPath);
   try {
@@ -39,8 +38,7 @@ std::optional<std::string> checkPath(std::string_view key, std::string_view valu
     if (scratch.wellPath.kind != WellPath::Kind::Keyframes) return std::nullopt;
   } catch (const BadValue&) {
   }
-  const auto files = known.allowed.find(", or the name of a");
-  return refusal(key, value, std::string_view(known.allowed).substr(0, files));
+  return refusal(key, value, allowedWellPath());
 }
 
 }  // namespace
@@ -59,6 +57,11 @@ std::optional<WellSetting> wellSetting(std::string_view key) {
   } catch (const BadValue&) {
     return std::nullopt;
   }
+}
+
+std::string allowedWellPath() {
+  const std::string& allowed = findKey(setting::kWellPath)->allowed;
+  return allowed.substr(0, allowed.find(", or the name of a"));
 }
 
 std::optional<std::string> checkPeerSetting(std::string_view key, std::string_view value) {

@@ -28,6 +28,9 @@ struct WellSetting {
 /// "2.WellStrength" as its parts; nothing for other keys and for a peer outside 1 .. 255.
 std::optional<WellSetting> wellSetting(std::string_view key);
 
+/// What a WellPath may be: as in a config, but for files, which would be on another machine.
+std::string allowedWellPath();
+
 /// A SettingCheck (network/shared_settings.h) of the keys above. Others are wrong.
 std::optional<std::string> checkPeerSetting(std::string_view key, std::string_view value);
 

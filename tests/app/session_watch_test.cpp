@@ -26,7 +26,7 @@ TEST(SessionWatch, PutsPeersOfOneWorldAndGenerationIntoOneSession) {
   EXPECT_EQ(sessions[1].peers[0]->id(), PeerId{1});
   EXPECT_EQ(sessions[1].peers[1]->id(), PeerId{2});
   EXPECT_EQ(sessions[1].step, 103);
-  EXPECT_NE(sessions[1].canonical.find("NumOfBalls=30"), std::string::npos);
+  EXPECT_NE(sessions[1].canonical.value_or("").find("NumOfBalls=30"), std::string::npos);
   EXPECT_FALSE(sessions[2].generation.exists());
   EXPECT_TRUE(sessions[2].active(10).empty());
 }
