@@ -60,7 +60,7 @@ TEST(Defects, AWithdrawalWithTwoEpochsMoreGivesTwoOwners) {
 
 TEST(Defects, AnIncarnationThatIsUsedAgainGivesTwoOwners) {
   expectFound(search(with({.numbers = Conduct::Numbers::Reused}), safety()),
-              {"a tenure has two owners"});
+              {"two peers act as owners in one term"});
 }
 
 TEST(Defects, AnOfferTakenByAnotherIncarnation) {

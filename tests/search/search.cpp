@@ -187,17 +187,18 @@ Search::TraceStep Search::stepBetween(const State& from, const State& to, Names&
       for (const BallMove& second : moves[1]) {
         State next{steps[step].to, {ballNumber(first.to)}};
         if (limits_.balls == 2) next.balls[1] = ballNumber(second.to);
-        if (leads(next)) return {steps[step].event, {}};
+        if (leads(next)) return {steps[step].event};
       }
   }
   for (int place = 0; place < limits_.balls; ++place) {
-    model_.ballMoves(from.group, Knowledge(balls_[from.balls[place]]), moves[0]);
+    const Knowledge ball(balls_[from.balls[place]]);
+    model_.ballMoves(from.group, ball, moves[0]);
     for (const BallMove& move : moves[0]) {
       State next = from;
       next.group = move.group;
       next.balls[place] = ballNumber(move.to);
       const int name = names[place];
-      if (leads(next)) return {move.event, name};
+      if (leads(next)) return {move.event, name, ball.records[move.event.peer]};
     }
   }
   return {};
@@ -210,31 +211,36 @@ std::string Search::trace(std::uint32_t number, const Flaw& flaw, int place) {
 
   Names names{0, 1};
   std::string text;
-  const auto show = [&](const State& state,
-                        const std::optional<std::array<Word, kMaxPeers>>& heard) {
+  std::vector<std::string> shown;
+  const auto show = [&](const State& state, const std::array<Word, kMaxPeers>* heard) {
     std::vector<Knowledge> balls(limits_.balls);
     for (int i = 0; i < limits_.balls; ++i) balls[names[i]] = Knowledge(balls_[state.balls[i]]);
     if (heard) balls[names[place]].records = *heard;
-    text += describe(model_.groups()[state.group].group, balls, model_, limits_);
+    auto lines = describe(model_.groups()[state.group].group, balls, model_, limits_);
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      if (i >= shown.size() || lines[i] != shown[i]) text += "     " + lines[i] + "\n";
+    shown = std::move(lines);
   };
   for (std::size_t i = 1; i < path.size(); ++i) {
     const State from = states_[path[i - 1]], to = states_[path[i]];
-    const auto [event, ball] = stepBetween(from, to, names);
+    const TraceStep step = stepBetween(from, to, names);
     text += std::to_string(i) + ". " +
-            describe(event, model_.groups()[from.group].group, model_.groups()[to.group].group,
-                     ball, model_) +
+            describe(step.event, model_.groups()[from.group].group, model_.groups()[to.group].group,
+                     step.ball, step.record, model_) +
             "\n";
-    show(to, {});
+    show(to, nullptr);
   }
   const State last = states_[number];
-  const Group& group = model_.groups()[last.group].group;
+  const Knowledge ball(balls_[last.balls[place]]);
   if (flaw.event) {
-    text += std::to_string(path.size()) + ". " +
-            describe(*flaw.event, group, group, names[place], model_) + "\n";
-  } else if (flaw.heard) {
-    text += "When the peers have heard of ball " + std::to_string(names[place]) +
-            " what they may have heard:\n";
-    show(last, flaw.heard);
+    const Group& group = model_.groups()[last.group].group;
+    text +=
+        std::to_string(path.size()) + ". " +
+        describe(*flaw.event, group, group, names[place], ball.records[flaw.event->peer], model_) +
+        "\n";
+  } else if (flaw.heard && *flaw.heard != ball.records) {
+    text += "   With what they may have heard of ball " + std::to_string(names[place]) + ":\n";
+    show(last, &*flaw.heard);
   }
   return text;
 }

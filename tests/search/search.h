@@ -85,6 +85,7 @@ class Search {
   struct TraceStep {
     Event event{};
     std::optional<int> ball{};
+    Word record = 0;  // of the ball, at the one who does it
   };
   TraceStep stepBetween(const State& from, const State& to, Names& names);
   std::string trace(std::uint32_t number, const Flaw& flaw, int place);

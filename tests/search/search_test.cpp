@@ -37,10 +37,16 @@ TEST(Search, TwoBallsSurviveWhatOneDoes) {
   expectClosed({.balls = 2, .epochs = 2, .terms = 2, .suspicions = 0});
 }
 
-TEST(Search, StallsTwoFoundingsAndResetsBreakNothing) {
+TEST(Search, APeerThatStoodStillBreaksNothing) {
   expectClosed({.balls = 1, .epochs = 2, .terms = 2, .suspicions = 1, .restarts = 0, .fences = 1});
+}
+
+TEST(Search, TwoGenerationsBecomeOne) {
   expectClosed(
       {.balls = 1, .epochs = 2, .terms = 2, .suspicions = 1, .restarts = 0, .foundings = 2});
+}
+
+TEST(Search, AGenerationThatDiedOutIsLeftForALesserOne) {
   expectClosed({.balls = 1,
                 .epochs = 2,
                 .terms = 2,
@@ -48,7 +54,10 @@ TEST(Search, StallsTwoFoundingsAndResetsBreakNothing) {
                 .restarts = 0,
                 .fences = 1,
                 .foundings = 2});
-  expectClosed({.balls = 1, .epochs = 2, .terms = 2, .restarts = 0, .resets = 1});
+}
+
+TEST(Search, AResetBreaksNothing) {
+  expectClosed({.balls = 1, .epochs = 2, .terms = 2, .suspicions = 1, .restarts = 0, .resets = 1});
 }
 
 // The argument for hearing just before acting (model.h): in the end the same cases were looked at,

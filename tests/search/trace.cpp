@@ -22,11 +22,17 @@ std::string nameOf(const Version& version) {
 }  // namespace
 
 std::string describe(const Event& event, const Group& before, const Group& after,
-                     std::optional<int> ball, const Model& model) {
+                     std::optional<int> ball, Word record, const Model& model) {
   const auto self = [&](const Group& group) {
     return nameOf(incarnationOf(event.peer, group.members[event.peer].number));
   };
-  const std::string who = self(before);
+  std::string who = self(before);
+  if (ball && event.deed != Deed::Hear && event.basis != record) {
+    const Entry known = model.entry(event.basis);
+    who += fmt::format(", which has heard the {} ({}),",
+                       known.record.standing == Standing::Heard ? "state" : "offer",
+                       nameOf(known.record.version));
+  }
   const std::string what = ball ? fmt::format("ball {}", *ball) : "";
   switch (event.deed) {
     case Deed::Found:
@@ -77,30 +83,27 @@ std::string describe(const Event& event, const Group& before, const Group& after
   return "?";
 }
 
-std::string describe(const Group& group, std::span<const Knowledge> balls, const Model& model,
-                     const Limits& limits) {
-  std::string text;
+std::vector<std::string> describe(const Group& group, std::span<const Knowledge> balls,
+                                  const Model& model, const Limits& limits) {
+  std::vector<std::string> lines;
   for (int peer = 0; peer < limits.peers; ++peer) {
     const Member& member = group.members[peer];
     if (member.number == 0) {
-      text += fmt::format("     P{} gone\n", peer + 1);
+      lines.push_back(fmt::format("P{} gone", peer + 1));
       continue;
     }
     const Party party = partyOf(group, peer);
-    text += fmt::format("     {} {}", nameOf(party.self), name(party.phase));
+    std::string line = fmt::format("{} {}", nameOf(party.self), name(party.phase));
     for (std::size_t ball = 0; isMember(member) && ball < balls.size(); ++ball) {
-      const Entry entry = model.entry(balls[ball].records[peer]);
-      const bool isOwn = owns(entry.record, party.self) && party.phase == Phase::Active;
-      const bool isHeard = entry.record.standing == Standing::Heard;
-      text += fmt::format(" | ball {}: {}{}", ball, nameOf(entry.record.version),
-                          isOwn                                         ? " OWNS"
-                          : entry.record.version.owner == Incarnation{} ? ""
-                          : isHeard                                     ? " heard"
-                                                                        : " named");
+      const Record record = model.entry(balls[ball].records[peer]).record;
+      std::string_view standing = record.standing == Standing::Heard ? " heard" : " named";
+      if (record.version.owner == Incarnation{}) standing = "";
+      if (party.phase == Phase::Active && owns(record, party.self)) standing = " OWNS";
+      line += fmt::format(" | ball {}: {}{}", ball, nameOf(record.version), standing);
     }
-    text += "\n";
+    lines.push_back(line);
   }
-  return text;
+  return lines;
 }
 
 }  // namespace wells
