@@ -129,6 +129,7 @@ class Session {
   bool knowsAllWells(const World& world, Times now) const;
   bool isSynchronised(const World& world, Times now);
   bool isLowest(Times now) const;
+  double turnToGoOn(Times now) const;
   void activate(World& world, Times now);
   void fence(World& world, PeerId peer, Times now);
   void fenceAfterStall(World& world, Times now);
