@@ -87,29 +87,43 @@ class Draw {
       case FaultKind::Pause:
         fault.duration = random_.uniform(0.2, 3);
         break;
-      default:
-        break;
-    }
-    add(fault);
-    if (endsAProcess(fault.kind) && random_.below(8) > 0) {
-      const bool isStale = random_.below(3) == 0;
-      add({.at = fault.at + random_.uniform(0.1, 8),
-           .kind = isStale ? FaultKind::RestartStale : FaultKind::Start,
-           .slot = fault.slot});
-    }
-  }
-
-  static bool endsAProcess(FaultKind kind) {
-    switch (kind) {
       case FaultKind::Crash:
       case FaultKind::CrashBeforeOffer:
       case FaultKind::CrashAfterOffer:
       case FaultKind::CrashAfterAnswer:
       case FaultKind::Leave:
-        return true;
+        fault.duration = random_.below(16) == 0 ? 0 : random_.uniform(0.1, 6);
+        fault.amount = random_.below(3) == 0 ? 1 : 0;
+        break;
       default:
-        return false;
+        break;
     }
+    add(fault);
+    if (fault.state && random_.below(2) == 0) lead(fault);
+  }
+
+  /// Sees to it that a peer gets into a state that is rare.
+  void lead(const Fault& fault) {
+    Fault before{.at = std::max(0.0, fault.at - random_.uniform(0, 0.5)),
+                 .slot = Fault::kAnySlot,
+                 .state = PeerState::Owns,
+                 .duration = random_.uniform(0.3, 3)};
+    switch (*fault.state) {
+      case PeerState::Paused:
+        before.kind = FaultKind::Pause;
+        break;
+      case PeerState::Leaving:
+        before.kind = FaultKind::Leave;
+        break;
+      case PeerState::Bereft:
+      case PeerState::Syncing:
+      case PeerState::Joining:
+        before.kind = FaultKind::Crash;
+        break;
+      default:
+        return;
+    }
+    add(before);
   }
 
   /// When the faults end, some who are gone start again; one, at least, is there.

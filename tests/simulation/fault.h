@@ -111,8 +111,8 @@ struct Fault {
   int other = 0;  // the slot at the other end of a cut link
   /// It strikes as soon as the peer is in this state, if that is within kPatience of `at`.
   std::optional<PeerState> state{};
-  double amount = 0;
-  double duration = 0;  // s; of what lasts
+  double amount = 0;    // of who dies or leaves, 1: comes back as with RestartStale
+  double duration = 0;  // s; of what lasts; of who dies or leaves: until it comes back, 0: never
 
   static constexpr double kPatience = 12;  // s
 

@@ -5,8 +5,35 @@
 #include <algorithm>
 
 #include "simulation/describe.h"
+#include "simulation/toy_world.h"
 
 namespace wells::simulation {
+namespace {
+
+// A state that is older is taken as if it were only so old: SharedBalls::kMaxPredicted.
+constexpr std::int64_t kMaxPredicted = 300;  // steps
+
+bool areEqual(const BallState& a, const BallState& b) {
+  return a.position == b.position && a.velocity == b.velocity && a.spin == b.spin;
+}
+
+/// Says again what Generation's order says.
+bool goesBefore(const Generation& a, const Generation& b) {
+  if (a.resets != b.resets) return a.resets > b.resets;
+  if (a.foundedUs != b.foundedUs) return a.foundedUs < b.foundedUs;
+  return a.nonce > b.nonce;
+}
+
+bool isOff(const WellTrack& track, std::int64_t step) {
+  return wellAt(track, step, 1).strength == 0;
+}
+
+bool areEqual(const WellTrack& a, const WellTrack& b, std::int64_t step) {
+  const Well first = wellAt(a, step, 1), second = wellAt(b, step, 1);
+  return first.position == second.position && first.strength == second.strength;
+}
+
+}  // namespace
 
 void Invariants::report(Invariant invariant, double now, std::string what) {
   violations_.push_back({invariant, now, std::move(what)});
@@ -19,6 +46,48 @@ void Invariants::claim(std::size_t ball, const Version& version, double now) {
   report(Invariant::OneOwnerEver, now,
          fmt::format("ball {} is {}'s and {}'s in the tenure {}", ball, describe(known->second),
                      describe(version.owner), describe(version)));
+}
+
+void Invariants::tell(std::size_t ball, const Version& version, const BallState& state,
+                      double now) {
+  const auto [known, isNew] = states_[ball].try_emplace(version, state);
+  if (!isNew && !areEqual(known->second, state))
+    report(Invariant::StatesFit, now,
+           fmt::format("ball {} has two states of {}", ball, describe(version)));
+}
+
+void Invariants::checkChange(const Process& process, const PeerView& peer, double now) {
+  if (process.phase != Phase::Active) return;
+  if (peer.generation != process.generation && !goesBefore(peer.generation, process.generation))
+    report(Invariant::OlderLasts, now,
+           fmt::format("{} goes from {} to {}", describe(peer.self), describe(process.generation),
+                       describe(peer.generation)));
+  if (peer.phase == Phase::Active && peer.self == process.self && now - process.seen > lease_)
+    report(Invariant::SilentGiveUp, now,
+           fmt::format("{} stood still for {:.2f} s and goes on", describe(peer.self),
+                       now - process.seen));
+}
+
+void Invariants::checkGhosts(Process& process, const PeerView& peer, double now) {
+  if (peer.phase != Phase::Active) return;
+  static const World kAnyWorld;  // toyPredict takes one
+  for (std::size_t i = 0; i < balls_; ++i) {
+    const Version& version = peer.records[i].version;
+    if (peer.owns(i) || version.step > peer.step) continue;  // of a step to come: waits for it
+    Course& course = process.courses[i];
+    if (course.version != version || course.step < 0) {
+      const auto told = states_[i].find(version);
+      const bool isKnown = told != states_[i].end() && peer.step - version.step <= kMaxPredicted;
+      course = {version, isKnown ? version.step : -1, isKnown ? told->second : BallState{}};
+    }
+    if (course.step < 0) continue;
+    course.state = toyPredict(kAnyWorld, i, course.state, course.step, peer.step);
+    course.step = peer.step;
+    if (areEqual(course.state, peer.balls->state(i))) continue;
+    report(Invariant::StatesFit, now,
+           fmt::format("{}, ball {}: is not where the state leads of {}", describe(peer.self), i,
+                       describe(version)));
+  }
 }
 
 void Invariants::observe(const PeerView& peer, double now,
@@ -41,6 +110,11 @@ void Invariants::observe(const PeerView& peer, double now,
   if (!peer.generation.exists()) return;
 
   Process& process = processes_[peer.process];
+  checkChange(process, peer, now);
+  process.phase = peer.phase;
+  process.seen = now;
+  process.courses.resize(balls_);
+  checkGhosts(process, peer, now);
   const bool isAnew =
       process.self != peer.self || process.generation != peer.generation || process.records.empty();
   if (isAnew) {
@@ -172,12 +246,24 @@ void Invariants::settled(std::span<const PeerView> peers, double now) {
     for (std::size_t i = 0; i < balls_; ++i) {
       const BallState a = first.balls->state(i);
       const BallState b = peer.balls->state(i);
-      const bool isEqual = a.position == b.position && a.velocity == b.velocity && a.spin == b.spin;
+      const bool isEqual = areEqual(a, b);
       if (isEqual && first.records[i].version == peer.records[i].version) continue;
       report(Invariant::Agree, now,
              fmt::format("ball {}: {} knows {}, {} knows {}; their states {}", i,
                          describe(first.self), describe(first.records[i]), describe(peer.self),
                          describe(peer.records[i]), isEqual ? "are equal" : "differ"));
+    }
+    for (const WellTrack& track : *peer.tracks) {
+      const bool isThere =
+          std::ranges::any_of(peers, [&](const PeerView& p) { return p.self.peer == track.peer; });
+      const auto same = std::ranges::find(*first.tracks, track.peer, &WellTrack::peer);
+      const bool isEqual = isThere
+                               ? same != first.tracks->end() && areEqual(*same, track, peer.step)
+                               : isOff(track, peer.step);
+      if (isEqual) continue;
+      report(Invariant::WellsAgree, now,
+             fmt::format("{} has the well of peer {} {}", describe(peer.self), value(track.peer),
+                         isThere ? "elsewhere than the others" : "on, who is gone"));
     }
   }
 }

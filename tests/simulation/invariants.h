@@ -29,19 +29,16 @@ enum class Invariant : std::uint8_t {
   Heals,             // two leases after the faults: one generation, one owner each
   AllReturn,         // ... and later every peer is active
   Agree,             // stopped and settled: equal records, equal states to the bit
+  StatesFit,         // a ghost is where the state of its very version leads
+  SilentGiveUp,      // who stood still for a lease is not the one it was
+  OlderLasts,        // an active peer changes only to a session reset more often or founded earlier
+  WellsAgree,        // stopped and settled: equal wells, none of a peer that is gone
 };
 
-inline constexpr std::array<std::string_view, 11> kInvariantNames = {"one owner ever",
-                                                                     "versions rise",
-                                                                     "complete",
-                                                                     "roles match",
-                                                                     "one acts as owner",
-                                                                     "nobody for long",
-                                                                     "living keep theirs",
-                                                                     "joiners know",
-                                                                     "heals",
-                                                                     "all return",
-                                                                     "agree"};
+inline constexpr std::array<std::string_view, 15> kInvariantNames = {
+    "one owner ever",  "versions rise",      "complete",       "roles match", "one acts as owner",
+    "nobody for long", "living keep theirs", "joiners know",   "heals",       "all return",
+    "agree",           "states fit",         "silent give up", "older lasts", "wells agree"};
 
 constexpr std::string_view name(Invariant invariant) {
   return kInvariantNames.at(static_cast<std::size_t>(invariant));
@@ -65,6 +62,7 @@ struct PeerView {
   std::span<const Record> records;
   std::span<const Role> roles;
   const Balls* balls = nullptr;
+  const std::vector<WellTrack>* tracks = nullptr;
 
   bool owns(std::size_t ball) const {
     return phase == Phase::Active && wells::owns(records[ball], self);
@@ -83,6 +81,9 @@ class Invariants {
 
   /// A message says that version.owner has, or is to have, the ball.
   void claim(std::size_t ball, const Version& version, double now);
+
+  /// ... and that `state` holds at the start of version.step.
+  void tell(std::size_t ball, const Version& version, const BallState& state, double now);
 
   /// A peer that has synchronised becomes active; `others` are the active ones that it hears and
   /// that hear it.
@@ -110,9 +111,18 @@ class Invariants {
     double time = 0;  // s
     Version version{};
   };
+  /// Where the state of a version leads by `step` if nobody touches the ball.
+  struct Course {
+    Version version{};
+    std::int64_t step = -1;  // -1: the state of the version is not known
+    BallState state{};
+  };
   /// What was seen of a process.
   struct Process {
     Incarnation self{};
+    Phase phase = Phase::Joining;
+    double seen = 0;              // s
+    std::vector<Course> courses;  // by ball
     Generation generation{};
     std::vector<Record> records;
     std::vector<std::vector<Known>> history;  // by ball; the last second and one before
@@ -124,12 +134,15 @@ class Invariants {
   /// learned of a later hand-over in the same moment.
   bool areAll(std::size_t ball, const Version& from, const Version& to,
               const std::function<bool(const Incarnation&)>& heard) const;
+  void checkChange(const Process& process, const PeerView& peer, double now);
+  void checkGhosts(Process& process, const PeerView& peer, double now);
   void learn(Process& process, const PeerView& peer, std::size_t ball, double now);
   Version knownFor(int process, std::size_t ball, double seconds, double now) const;
 
   std::size_t balls_;
   double lease_;
   std::vector<std::map<Tenure, Incarnation>> owners_{balls_};  // by ball
+  std::vector<std::map<Version, BallState>> states_{balls_};   // by ball
   std::map<int, Process> processes_;
   /// Since when nobody of a group owns a ball, and until when that was seen.
   struct Unowned {

@@ -51,6 +51,8 @@ void printSummary(const SeedsOutcome& outcome, double wallTime) {
   for (const Failure& failure : outcome.failures)
     fmt::print("seed {}: at {:.3f} s, \"{}\": {}\n", failure.seed, failure.violation.time,
                name(failure.violation.invariant), failure.violation.what);
+  for (const std::uint64_t seed : outcome.fewHandovers)
+    fmt::print("few hand-overs: seed {}\n", seed);
   fmt::print("violations            {}\n", outcome.failures.size());
 }
 

@@ -96,7 +96,8 @@ PeerView Process::view() const {
           .losesMessages = losesMessages,
           .records = session_->records(),
           .roles = world_.roles,
-          .balls = &world_.balls};
+          .balls = &world_.balls,
+          .tracks = &world_.tracks};
 }
 
 }  // namespace wells::simulation

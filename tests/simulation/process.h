@@ -70,11 +70,12 @@ class Process {
   double stall = 0;                                        // ... for so long, s
   bool losesMessages = false;                              // its receive buffer is too small
   double slowness = 1;                                     // factor of the time between two ticks
-  std::optional<FaultKind> doom;                           // dies at the next offer, as this says
+  std::optional<Fault> doom;                               // dies at the next offer, as this says
   std::optional<std::pair<std::size_t, Version>> offered;  // dies when this was answered
   double gone = 0;  // s, when it ends after its good-bye; 0: has not left
   bool isKilled = false;
-  double activeSince = 0;  // s; as this incarnation, in this generation
+  std::optional<Fault> comeback;  // when it has ended, it starts again as this says
+  double activeSince = 0;         // s; as this incarnation, in this generation
   // What was seen of it last, for the log and for the counts.
   Phase phase = Phase::Joining;
   Incarnation self{};

@@ -71,6 +71,7 @@ double Run::nextTime() const {
   if (!isStopped_) next = std::min(next, schedule_.stop);
   if (nextFault_ < schedule_.faults.size()) next = std::min(next, schedule_.faults[nextFault_].at);
   for (const Fault& fault : lasting_) next = std::min(next, fault.at + fault.duration);
+  for (const Fault& fault : comebacks_) next = std::min(next, fault.at);
   for (const auto& process : processes_) next = std::min(next, process->next);
   return std::max(next, now_);
 }
@@ -85,10 +86,10 @@ void Run::beginFaults() {
   for (; nextFault_ < schedule_.faults.size() && schedule_.faults[nextFault_].at <= now_;
        ++nextFault_) {
     const Fault& fault = schedule_.faults[nextFault_];
-    if (fault.kind == FaultKind::Start || fault.kind == FaultKind::RestartStale) {
-      start(fault.slot, fault.kind);
-    } else if (fault.state) {
+    if (fault.state) {
       waiting_.push_back(fault);
+    } else if (fault.kind == FaultKind::Start || fault.kind == FaultKind::RestartStale) {
+      start(fault.slot, fault.kind);
     } else if (fault.kind == FaultKind::ClockJump && !inSlot(fault.slot)) {
       clockOffsets_[fault.slot] = fault.amount;
     } else if (fault.slot == Fault::kAnySlot) {
@@ -97,6 +98,9 @@ void Run::beginFaults() {
       strike(fault, *process);
     }
   }
+  for (const Fault& fault : comebacks_)
+    if (fault.at <= now_) start(fault.slot, fault.kind);
+  std::erase_if(comebacks_, [&](const Fault& fault) { return fault.at <= now_; });
   std::erase_if(waiting_, [&](const Fault& fault) { return fault.at + Fault::kPatience < now_; });
 }
 
@@ -117,6 +121,7 @@ void Run::heal() {
   trace_.add(now_, "all faults end");
   beginFaults();
   waiting_.clear();
+  comebacks_.clear();
   for (const Fault& fault : std::exchange(lasting_, {})) restore(fault);
   for (const auto& process : processes_) {
     process->next = std::min(process->next, now_);
@@ -179,8 +184,11 @@ void Run::receive(Process& process) {
 void Run::bury() {
   const bool anyDied = std::ranges::any_of(processes_, [](const auto& p) { return p->isKilled; });
   if (!anyDied) return;
-  for (const auto& process : processes_)
-    if (process->isKilled) addCounts(*process);
+  for (const auto& process : processes_) {
+    if (!process->isKilled) continue;
+    addCounts(*process);
+    comeBack(*process);
+  }
   std::erase_if(processes_, [](const auto& process) { return process->isKilled; });
 }
 

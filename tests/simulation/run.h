@@ -40,7 +40,8 @@ class Run {
   void restore(const Fault& fault);
   void start(int slot, FaultKind kind);
   void launch(int slot, PeerId id);
-  void kill(Process& process, FaultKind kind);
+  void kill(Process& process, const Fault& fault);
+  void comeBack(const Process& process);
   void count(FaultKind kind, const Process& hit);
   void countAll(FaultKind kind, const Process* except);
   void applyToWire();
@@ -75,6 +76,7 @@ class Run {
   std::size_t nextFault_ = 0;
   std::vector<Fault> waiting_;          // for their state, until at + kPatience
   std::vector<Fault> lasting_;          // until at + duration
+  std::vector<Fault> comebacks_;        // of peers that have died or left
   std::optional<std::int64_t> stopAt_;  // step
   bool isForged_ = false;               // some messages are not honest
   bool isHealed_ = false;

@@ -59,18 +59,22 @@ void Run::strike(const Fault& drawn, Process& process) {
   fault.slot = process.slot();
   if (isOfNetwork(fault.kind)) return strikeNetwork(fault);
   switch (fault.kind) {
+    case FaultKind::Start:
+    case FaultKind::RestartStale:
+      return start(Fault::kAnySlot, fault.kind);
     case FaultKind::Crash:
-      return kill(process, fault.kind);
+      return kill(process, fault);
     case FaultKind::CrashBeforeOffer:
     case FaultKind::CrashAfterOffer:
     case FaultKind::CrashAfterAnswer:
-      process.doom = fault.kind;  // counted when it happens
+      process.doom = fault;  // counted when it happens
       return;
     case FaultKind::Leave:
       if (process.isMidTick || process.gone > 0) return;
       count(fault.kind, process);
       process.leave(now_);
       process.gone = now_ + kFarewell;
+      process.comeback = fault;
       return;
     case FaultKind::DuplicateId:
       if (processes_.size() >= static_cast<std::size_t>(schedule_.peers) + kMostStrangers) return;
@@ -190,9 +194,19 @@ void Run::launch(int slot, PeerId id) {
   applyToWire();
 }
 
-void Run::kill(Process& process, FaultKind kind) {
-  count(kind, process);
+void Run::kill(Process& process, const Fault& fault) {
+  count(fault.kind, process);
   process.isKilled = true;
+  process.comeback = fault;
+}
+
+void Run::comeBack(const Process& process) {
+  if (!process.comeback || process.comeback->duration == 0) return;
+  const Fault& fault = *process.comeback;
+  if (process.slot() >= schedule_.peers || isHealed_) return;
+  comebacks_.push_back({.at = now_ + fault.duration,
+                        .kind = fault.amount == 1 ? FaultKind::RestartStale : FaultKind::Start,
+                        .slot = process.slot()});
 }
 
 void Run::count(FaultKind kind, const Process& hit) {

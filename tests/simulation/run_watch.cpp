@@ -15,11 +15,15 @@ constexpr std::string_view kStates = "WELLS_BALLS";
 constexpr std::string_view kOffers = "WELLS_OFFERS";
 constexpr int kFingerprintBytes = 8;
 
+bool isDoomed(const Process& process, FaultKind kind) {
+  return process.doom && process.doom->kind == kind;
+}
+
 }  // namespace
 
 bool Run::sending(Process& process, std::string_view channel, Bytes) {
   if (process.isKilled) return false;
-  if (channel != kOffers || process.doom != FaultKind::CrashBeforeOffer) return true;
+  if (channel != kOffers || !isDoomed(process, FaultKind::CrashBeforeOffer)) return true;
   kill(process, *process.doom);
   return false;
 }
@@ -35,7 +39,7 @@ bool Run::sent(Process& process, std::string_view channel, Bytes bytes) {
     return true;
   }
   claims(process, *message);
-  if (channel == kOffers && process.doom == FaultKind::CrashAfterOffer)
+  if (channel == kOffers && isDoomed(process, FaultKind::CrashAfterOffer))
     kill(process, *process.doom);
   return !process.isKilled;
 }
@@ -46,6 +50,7 @@ void Run::claims(Process& process, const Message& message) {
     for (const auto& ball : states->balls) {
       const Version version = versionOf(states->header, ball, owner, states->step);
       invariants_.claim(static_cast<std::size_t>(ball.id), version, now_);
+      invariants_.tell(static_cast<std::size_t>(ball.id), version, stateOf(ball), now_);
       answer(static_cast<std::size_t>(ball.id), version);
     }
   } else if (const auto* offers = std::get_if<gravity_wells::offers_t>(&message)) {
@@ -53,7 +58,8 @@ void Run::claims(Process& process, const Message& message) {
     for (const auto& ball : offers->balls) {
       const Version version = versionOf(offers->header, ball, receiver, offers->step);
       invariants_.claim(static_cast<std::size_t>(ball.id), version, now_);
-      if (process.doom == FaultKind::CrashAfterAnswer && !process.offered)
+      invariants_.tell(static_cast<std::size_t>(ball.id), version, stateOf(ball), now_);
+      if (isDoomed(process, FaultKind::CrashAfterAnswer) && !process.offered)
         process.offered = {static_cast<std::size_t>(ball.id), version};
     }
   }
@@ -65,7 +71,7 @@ void Run::answer(std::size_t ball, const Version& version) {
     if (!offered || process->isKilled || offered->first != ball ||
         offered->second.owner != version.owner || !sameTenure(offered->second, version))
       continue;
-    kill(*process, FaultKind::CrashAfterAnswer);
+    kill(*process, *process->doom);
   }
 }
 
@@ -134,7 +140,7 @@ void Run::noteChanges(Process& process) {
   std::vector<int> others;
   for (const auto& other : processes_)
     if (other.get() != &process && !other->isKilled && other->phase == Phase::Active &&
-        other->generation == process.generation &&
+        other->generation == process.generation && now_ - other->activeSince >= kInTouch &&
         process.contacts().isSteady(other->self, kInTouch, now_) &&
         other->contacts().isSteady(process.self, kInTouch, now_))
       others.push_back(other->number());
