@@ -116,8 +116,9 @@ std::vector<WatchedSession> SessionWatch::sessions() const {
   std::vector<WatchedSession> sessions;
   for (const WatchedPeer* peer : all) {
     if (sessions.empty() || rank(*sessions.back().peers.front()) != rank(*peer)) {
-      sessions.push_back(
-          {.worldHash = peer->heartbeat.world_hash, .generation = peer->generation()});
+      sessions.push_back({.worldHash = peer->heartbeat.world_hash,
+                          .generation = peer->generation(),
+                          .settings = peer->settings});
     }
     WatchedSession& session = sessions.back();
     session.peers.push_back(peer);

@@ -28,9 +28,10 @@ std::string valueToSend(const WantedSetting& wanted, const WatchedSession& sessi
   return std::to_string(std::max(session.generation.resets, resetsAsked(session.settings)) + 1);
 }
 
-std::string valueNow(std::string_view key, const WatchedSession& session) {
-  const Register* known = session.settings.inForce(key, session.step);
-  return known ? known->value : findSettableKey(key)->unset;
+std::string valueBefore(std::string_view key, const WatchedSession& session) {
+  const auto known = session.settings.registers().find(key);
+  return known != session.settings.registers().end() ? known->second.value
+                                                     : findSettableKey(key)->unset;
 }
 
 void requirePeerOf(std::string_view key, const std::vector<PeerId>& peers) {
@@ -78,7 +79,8 @@ void Setter::decide(const WatchedSession& session, double now) {
     if (!after.learn(wanted.key, asked))
       throw RunError(fmt::format("{}: {} settings are set already, and no more can be", wanted.key,
                                  kMaxSharedSettings));
-    changes.push_back({.key = wanted.key, .before = valueNow(wanted.key, session), .asked = asked});
+    changes.push_back(
+        {.key = wanted.key, .before = valueBefore(wanted.key, session), .asked = asked});
   }
   changes_ = std::move(changes);
   generation_ = session.generation;

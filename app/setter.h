@@ -27,7 +27,7 @@ struct SettingAuthor {
 /// What became of one wanted setting.
 struct SettingChange {
   std::string key;
-  std::string before;  // as it was in force, for people
+  std::string before;  // what was set last, for people
   Register asked{};
   std::vector<PeerId> confirmed{};     // peers that show it ...
   std::vector<PeerId> missing{};       // ... that don't, of those who were active when we asked

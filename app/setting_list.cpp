@@ -49,7 +49,10 @@ std::string settingList(const WatchedSession& session, double now) {
     if (key.isOfAWell()) continue;
     const auto known = registers.find(key.name);
     if (known != registers.end()) add(known->first, known->second);
-    if (!session.settings.inForce(key.name, session.step)) inForce += unsetText(key, session);
+    // Of a later version that is to come we may not have heard what it follows.
+    const bool isUnset = known == registers.end() || known->second.version == 1;
+    if (isUnset && !session.settings.inForce(key.name, session.step))
+      inForce += unsetText(key, session);
   }
   for (const auto& [key, r] : registers)
     if (wellSetting(key)) add(key, r);
