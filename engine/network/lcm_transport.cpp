@@ -118,7 +118,6 @@ void LcmTransport::receive(const lcm_recv_buf_t& message, std::string_view chann
 }
 
 void LcmTransport::receiveLoop(const std::stop_token& stop) {
-  using Clock = std::chrono::steady_clock;
   blockSignals();
   auto nextLook = Clock::now();
   while (!stop.stop_requested()) {
@@ -142,22 +141,32 @@ void LcmTransport::sendLoop(const std::stop_token& stop) {
   StepTimer timer(targetRate_);
   while (!stop.stop_requested()) {
     if (timer.targetRate() != targetRate_) timer.setTargetRate(targetRate_);
+    const auto due = std::max(timer.nextTick(), Clock::now());
     timer.waitForNextTick();
-    sendOutbox();
+    sendOutbox(due);
     const std::lock_guard lock(outMutex_);
     rate_ = {timer.recentRate(), timer.meanRate()};
   }
-  sendOutbox();
+  sendOutbox(Clock::now());
 }
 
-void LcmTransport::sendOutbox() {
+void LcmTransport::sendOutbox(Clock::time_point due) {
   sending_.clear();
   {
     const std::lock_guard lock(outMutex_);
     std::swap(outbox_, sending_);
   }
   const std::size_t burstSize = burst(sending_.size());
+  auto aliveAt = due;
   for (std::size_t i = 0; i < sending_.size(); ++i) {
+    // After a stall of the whole process these are the words of one whom others may have counted
+    // out meanwhile.
+    if (Clock::now() - aliveAt > kStall) {
+      const std::lock_guard lock(outMutex_);
+      out_.droppedSending += static_cast<std::int64_t>(sending_.size() - i);
+      return;
+    }
+    aliveAt = Clock::now();
     if (sinceRest_ >= burstSize) {
       std::this_thread::sleep_for(kBurstInterval);
       sinceRest_ = 0;

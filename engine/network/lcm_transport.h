@@ -45,6 +45,9 @@ class LcmTransport final : public Transport {
   static constexpr std::size_t kLargeBurst = 64;
   static constexpr std::chrono::microseconds kBurstInterval{1000};
 
+  /// When the sending thread stood still for longer, what waited to be sent is dropped and counted.
+  static constexpr std::chrono::milliseconds kStall{250};
+
   struct Rate {
     double recent = 0;  // Hz, over about the last second
     double mean = 0;    // Hz, since the start
@@ -79,6 +82,8 @@ class LcmTransport final : public Transport {
   std::string note() const { return note_; }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   struct Closer {
     void operator()(_lcm_t* lcm) const;
   };
@@ -87,7 +92,7 @@ class LcmTransport final : public Transport {
   void lookAtSocket();
   void receiveLoop(const std::stop_token& stop);
   void sendLoop(const std::stop_token& stop);
-  void sendOutbox();
+  void sendOutbox(Clock::time_point due);
   std::size_t burst(std::size_t messages) const;
   void receive(const _lcm_recv_buf_t& message, std::string_view channel);
 
