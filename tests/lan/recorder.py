@@ -2,8 +2,8 @@
 
     recorder.py FILE HOST...
 
-Runs until it is terminated; says "ready" when it listens. A record is the time (s, monotonic), the
-host, the size, and the datagram as it was. read() gives them back.
+Runs until it is terminated; says "ready" when it listens. A record is the time at which the kernel
+got it (s, monotonic), the host, the size, and the datagram as it was. read() gives them back.
 """
 
 import collections
@@ -17,9 +17,11 @@ import time
 from network import GROUP, PORT, address, on
 
 # Linux's numbers; Python's socket module has no names for them.
+SO_TIMESTAMPNS = 35
 IP_ADD_SOURCE_MEMBERSHIP = 39
 IP_MULTICAST_ALL = 49
 
+TIMESPEC = struct.Struct("@ll")
 RECORD = struct.Struct("<dHI")
 LARGEST_DATAGRAM = 65535
 FLUSH_INTERVAL = 0.1  # s; it may be read while it grows
@@ -33,6 +35,7 @@ def listen(host):
         heard = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     heard.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     heard.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4 << 20)  # clipped to net.core.rmem_max
+    heard.setsockopt(socket.SOL_SOCKET, SO_TIMESTAMPNS, 1)
     heard.setsockopt(socket.IPPROTO_IP, IP_MULTICAST_ALL, 0)
     own = socket.inet_aton(address(host))
     heard.setsockopt(socket.IPPROTO_IP, IP_ADD_SOURCE_MEMBERSHIP,
@@ -51,12 +54,16 @@ def record(file, hosts):
         sockets.register(listen(host), selectors.EVENT_READ, host)
     print("ready", flush=True)
     next_flush = 0
+    since_epoch = time.time() - time.monotonic()
     while not is_over:
         for key, _ in sockets.select(timeout=0.1):
             try:
                 while True:
-                    data = key.fileobj.recv(LARGEST_DATAGRAM)
-                    file.write(RECORD.pack(time.monotonic(), key.data, len(data)))
+                    data, notes, _, _ = key.fileobj.recvmsg(
+                        LARGEST_DATAGRAM, socket.CMSG_SPACE(TIMESPEC.size))
+                    seconds, nanoseconds = TIMESPEC.unpack(notes[0][2])
+                    came = seconds - since_epoch + nanoseconds / 1e9
+                    file.write(RECORD.pack(came, key.data, len(data)))
                     file.write(data)
             except BlockingIOError:
                 pass
@@ -66,7 +73,13 @@ def record(file, hosts):
 
 
 def read(path):
-    """Yields the Datagrams of a recording, of one that still grows as far as it has come."""
+    """The Datagrams of a recording in the order of their times, of one that still grows as far as it
+    has come."""
+    return sorted(stored(path), key=lambda datagram: datagram.time)
+
+
+def stored(path):
+    """Yields the Datagrams as they were stored: those of one host in their order."""
     with open(path, "rb") as file:
         while len(head := file.read(RECORD.size)) == RECORD.size:
             when, host, size = RECORD.unpack(head)

@@ -4,7 +4,6 @@
 """
 
 import pathlib
-import signal
 import subprocess
 import sys
 import tempfile
@@ -89,7 +88,7 @@ class Scenario(unittest.TestCase):
         until = time.monotonic() + timeout
         while time.monotonic() < until:
             since = {}
-            for datagram in recorder.read(self.recording):
+            for datagram in recorder.stored(self.recording):
                 if b"WELLS_HEARTBEAT\0" not in datagram.data[:32]:
                     continue
                 message = self.types.decode(datagram)

@@ -5,7 +5,7 @@ import signal
 import time
 
 import scenario
-from ownership import publications
+from ownership import publications, stale
 
 
 class GoodNetwork(scenario.Scenario):
@@ -13,8 +13,10 @@ class GoodNetwork(scenario.Scenario):
         peers = [self.start(host, "--duration", 3) for host in self.HOSTS]
         self.end(peers)
         self.assert_agreement(peers)
-        self.judge()
+        published = publications(self.judge())
         reports = [peer.report() for peer in peers]
+        self.assertEqual(sum(report["adoptions"] for report in reports), 0)
+        self.assertEqual(list(stale(published)), [], "a ball with two owners at a time")
         self.assertGreaterEqual(sum(report["handovers"] for report in reports), self.BALLS / 2)
 
 
