@@ -68,7 +68,11 @@ TEST(Defects, AnOfferTakenByAnotherIncarnation) {
     return party.phase == Phase::Active && record.version.owner.peer == party.self.peer &&
            record.standing == Standing::Named;
   };
-  expectFound(search(with({.mayTake = mayTake})), {"who has taken the ball does not own it"});
+  const auto take = [](const Record& record, const Party&) {
+    return Record{record.version, Standing::Heard};
+  };
+  expectFound(search(with({.mayTake = mayTake, .take = take})),
+              {"who has taken the ball does not own it"});
 }
 
 TEST(Defects, AdoptionWithoutANewTerm) {
