@@ -68,9 +68,10 @@ void Session::found(World& world, std::int64_t resets, Times now) {
 void Session::enter(World& world, const Generation& generation, Times now) {
   if (generation_.exists()) {
     ++counts_.resyncs;
-    note(generation.resets > generation_.resets
-             ? "the world starts over"
-             : "joins a session that was founded earlier than this one");
+    const bool startsOver = generation.resets > generation_.resets;
+    note(generation < generation_ ? "nobody else is left of its session; joins another"
+         : startsOver             ? "the world starts over"
+                                  : "joins a session that was founded earlier than this one");
   }
   generation_ = generation;
   peers_.setGeneration(generation, now.monotonic);
