@@ -13,13 +13,15 @@ usage: ./run.sh [demo] [OPTION...]         two peers on this machine share a wor
        ./run.sh bench [OPTION...]          one scene, measured; ./run.sh bench --help
        ./run.sh bench accuracy [OPTION...] error against CPU time, as tables and plots
        ./run.sh bench stress [OPTION...]   worlds that break engines, beside other engines
+       ./run.sh set KEY=VALUE...           changes a live session; --list, --help
+       ./run.sh spy --text [OPTION...]     a live table of a session, in this terminal
        ./run.sh spy [OPTION...]            lcm-spy, with our message types
+       ./run.sh peers [OPTION...]          does multicast pass between machines?
        ./run.sh lcm-logger [OPTION...]     records a session; --help lists its options
        ./run.sh lcm-logplayer [OPTION...]  plays a record back; --help
-       ./run.sh lcm-sink, lcm-source       does multicast pass between two machines?
        ./run.sh help
 
-spy and the lcm- tools listen to a session with the default settings,
+set, spy, peers and the lcm- tools mean the session with the default settings,
   $default_url
 unless the variable LCM_DEFAULT_URL or their own option --lcm-url=URL names another.
 END
@@ -74,8 +76,16 @@ case ${1-} in
     if [[ ${2-} == accuracy ]]; then build_program --with plots; else build_program; fi
     exec "$program" "$@"
     ;;
+  set | peers)
+    build_program
+    exec "$program" "$@"
+    ;;
   spy)
     shift
+    if [[ " $* " == *" --text "* ]]; then
+      build_program
+      exec "$program" spy "$@"
+    fi
     spy "$@"
     ;;
   lcm-logger | lcm-logplayer | lcm-sink | lcm-source)

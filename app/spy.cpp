@@ -46,10 +46,10 @@ class Screen {
  private:
   // Of the terminal; 0: there is none.
   static int rows() {
+    constexpr int kUsual = 24;  // of a terminal that does not tell
     winsize size{};
-    const bool isTerminal = ::isatty(STDOUT_FILENO) != 0;
-    if (!isTerminal || ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0) return 0;
-    return size.ws_row;
+    if (::isatty(STDOUT_FILENO) == 0) return 0;
+    return ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_row > 0 ? size.ws_row : kUsual;
   }
 
   // Over the table before, without flicker; what does not fit is cut off.

@@ -174,8 +174,15 @@ class Program(unittest.TestCase):
                       "--PeerID,--peer-id VALUE", "--state-out FILE", "bullet. Default: ours --"):
             self.assertIn(words, text)
         self.assertEqual(run("no-such-command").returncode, 2)
-        self.assertEqual(run().stderr,
-                         "gravity-wells: no command; allowed: peer, demo, bench, keys, help\n")
+        self.assertEqual(run().stderr, "gravity-wells: no command; allowed: peer, demo, bench, spy, "
+                                       "peers, set, keys, help\n")
+
+    def test_where_multicast_does_not_pass_an_operators_tool_says_how_to_let_it(self):
+        for arguments in (("spy", "--text"), ("peers",), ("set", "--list"), ("set", "Pause=true")):
+            with self.subTest(arguments=arguments):
+                done = run(*arguments)
+                self.assertEqual((done.returncode, done.stdout), (1, ""))
+                self.assertIn("sudo ip route add 224.0.0.0/4 dev <interface>", done.stderr)
 
 
 if __name__ == "__main__":
