@@ -10,7 +10,7 @@ CENTER = (0.0, 12.0, 0.0)  # m
 OPTIONS = ("--Gravity", 0, "--Dt", DT, "--BallRadius", RADIUS, "--WellStrength", 0, "--Well",
            ",".join(map(str, (*CENTER, STRENGTH, SOFTENING))))
 
-SUBSTEPS = 2  # of Runge and Kutta's fourth order, in a step of the world
+SUBSTEPS = 4  # of Runge and Kutta's fourth order, in a step of the world
 
 
 def acceleration(x):

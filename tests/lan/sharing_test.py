@@ -12,8 +12,8 @@ class GoodNetwork(scenario.Scenario):
     def test_balls_change_hands_and_views_agree(self):
         peers = [self.start(host, "--duration", 3) for host in self.HOSTS]
         self.end(peers)
-        self.assert_agreement(peers)
         published = publications(self.judge())
+        self.assert_agreement(peers)
         reports = [peer.report() for peer in peers]
         self.assertEqual(sum(report["adoptions"] for report in reports), 0)
         self.assertEqual(list(stale(published)), [], "a ball with two owners at a time")
@@ -27,8 +27,8 @@ class LossyNetwork(scenario.Scenario):
         peers = [self.start(host, "--duration", 3) for host in self.HOSTS]
         self.end(peers)
         self.assertGreater(self.lan.dropped("lost"), 500)
-        self.assert_agreement(peers)
         self.judge()
+        self.assert_agreement(peers)
 
 
 class ComingAndGoing(scenario.Scenario):
@@ -44,8 +44,8 @@ class ComingAndGoing(scenario.Scenario):
         early[2].process.send_signal(signal.SIGINT)
         stay = [early[1], early[3], late]
         self.end([early[2], *stay])
-        self.assert_agreement(stay)
         recorded = list(publications(self.judge()))
+        self.assert_agreement(stay)
 
         self.assertLessEqual(joined, 2 * self.LEASE + 3, "listening, and 3 s to gather states")
         self.assertGreater(sum(p.peer == 4 for p in recorded), 0, "the late one was given nothing")
