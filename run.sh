@@ -17,6 +17,8 @@ usage: ./run.sh [demo] [OPTION...]         two peers on this machine share a wor
        ./run.sh spy --text [OPTION...]     a live table of a session, in this terminal
        ./run.sh spy [OPTION...]            lcm-spy, with our message types
        ./run.sh peers [OPTION...]          does multicast pass between machines?
+       ./run.sh simulate [OPTION...]       sessions under faults, in simulated time; --help
+       ./run.sh search [OPTION...]         all interleavings of the ownership rules; --help
        ./run.sh lcm-logger [OPTION...]     records a session; --help lists its options
        ./run.sh lcm-logplayer [OPTION...]  plays a record back; --help
        ./run.sh help
@@ -79,6 +81,10 @@ case ${1-} in
   set | peers)
     build_program
     exec "$program" "$@"
+    ;;
+  simulate | search)
+    "$root/app/build.sh" "gravity-wells-$1"
+    exec "$root/build/release/gravity-wells-$1" "${@:2}"
     ;;
   spy)
     shift
