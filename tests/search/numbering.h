@@ -2,6 +2,8 @@
 // things themselves: nothing is told apart by its hash alone.
 #pragma once
 
+#include <sys/mman.h>
+
 #include <algorithm>
 #include <bit>
 #include <cstddef>
@@ -14,6 +16,14 @@
 
 namespace wells {
 
+/// Random access to gigabytes spends half its time on finding small pages.
+inline void adviseHugePages(void* memory, std::size_t bytes) {
+  constexpr std::uintptr_t kPage = std::uintptr_t{1} << 21;
+  const auto begin = (reinterpret_cast<std::uintptr_t>(memory) + kPage - 1) / kPage * kPage;
+  const auto end = (reinterpret_cast<std::uintptr_t>(memory) + bytes) / kPage * kPage;
+  if (begin < end) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+}
+
 /// Grows without moving what is in it.
 template <class T>
 class Chunks {
@@ -22,7 +32,7 @@ class Chunks {
   T& operator[](std::size_t i) { return chunks_[i >> kShift][i & kMask]; }
   const T& operator[](std::size_t i) const { return chunks_[i >> kShift][i & kMask]; }
   void push_back(const T& item) {
-    if (size_ >> kShift == chunks_.size()) chunks_.push_back(std::make_unique<T[]>(kMask + 1));
+    if (size_ >> kShift == chunks_.size()) addChunk();
     (*this)[size_++] = item;
   }
   /// Room for `count` items in one piece.
@@ -30,7 +40,7 @@ class Chunks {
     const std::size_t left = (chunks_.size() << kShift) - size_;
     if (left < count) {
       size_ = chunks_.size() << kShift;
-      chunks_.push_back(std::make_unique<T[]>(kMask + 1));
+      addChunk();
     }
     T* const place = &(*this)[size_];
     size_ += count;
@@ -39,6 +49,10 @@ class Chunks {
   std::size_t bytes() const { return (chunks_.size() << kShift) * sizeof(T); }
 
  private:
+  void addChunk() {
+    chunks_.push_back(std::make_unique_for_overwrite<T[]>(kMask + 1));
+    adviseHugePages(chunks_.back().get(), (kMask + 1) * sizeof(T));
+  }
   static constexpr std::size_t kShift = 18;
   static constexpr std::size_t kMask = (std::size_t{1} << kShift) - 1;
   std::vector<std::unique_ptr<T[]>> chunks_;
@@ -67,6 +81,11 @@ class HashIndex {
     }
   }
   void prefetch(std::uint64_t hash) const { __builtin_prefetch(&slots_[place(hash >> 32)]); }
+  /// A number that findOrAdd() will probably compare with; 0: none.
+  std::uint32_t guess(std::uint64_t hash) const {
+    const std::uint64_t slot = slots_[place(hash >> 32)];
+    return slot >> 32 == hash >> 32 ? static_cast<std::uint32_t>(slot) : 0;
+  }
   std::size_t bytes() const { return slots_.size() * sizeof(std::uint64_t); }
 
  private:
@@ -74,8 +93,12 @@ class HashIndex {
     return tag >> (32 - std::countr_zero(slots_.size()));
   }
   void grow() {
-    std::vector<std::uint64_t> old(slots_.size() * 2);
-    if (old.size() > std::size_t{1} << 32) throw std::length_error("search: too many states");
+    const std::size_t size = slots_.size() * 2;
+    if (size > std::size_t{1} << 32) throw std::length_error("search: too many states");
+    std::vector<std::uint64_t> old;
+    old.reserve(size);
+    adviseHugePages(old.data(), size * sizeof(std::uint64_t));
+    old.resize(size);
     old.swap(slots_);
     for (const std::uint64_t slot : old) {
       if (slot == 0) continue;
@@ -117,7 +140,11 @@ class Numbering {
     if (number == next) items_.push_back(item);
     return number;
   }
+  // Hints for a number() that comes later: the second a while after the first, both before it.
   void prefetch(std::uint64_t hash) const { index_.prefetch(hash); }
+  void prefetchItem(std::uint64_t hash) const {
+    if (const std::uint32_t number = index_.guess(hash)) __builtin_prefetch(&(*this)[number]);
+  }
   const T& operator[](std::uint32_t number) const { return items_[number - 1]; }
   std::size_t size() const { return items_.size(); }
   std::size_t bytes() const { return items_.bytes() + index_.bytes(); }

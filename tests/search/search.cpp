@@ -8,6 +8,8 @@ namespace wells {
 namespace {
 
 constexpr std::size_t kLookInterval = 4096;  // states between two looks at time and memory
+constexpr std::size_t kBatch = 512;          // states that are entered at a time
+constexpr std::size_t kAhead = 8;            // of them, looked up in advance
 constexpr double kReportInterval = 5;        // s
 constexpr std::size_t kGroupBytes = 1000;    // about so much does a group take, its steps included
 
@@ -64,19 +66,20 @@ std::span<const std::uint32_t> Search::stepsOfBall(const Pair& pair, int place) 
   }
 }
 
-void Search::add(State state) {
+void Search::add(State state, std::uint32_t parent) {
   if (limits_.balls == 2 && state.balls[0] > state.balls[1])
     std::swap(state.balls[0], state.balls[1]);
   const std::uint64_t hash = Numbering<State>::hashOf(state);
   states_.prefetch(hash);
-  pending_.emplace_back(state, hash);
+  pending_.push_back({state, parent, hash});
 }
 
-void Search::flush(std::uint32_t parent) {
-  for (const auto& [state, hash] : pending_) {
+void Search::flush() {
+  for (std::size_t i = 0; i < pending_.size(); ++i) {
+    if (i + kAhead < pending_.size()) states_.prefetchItem(pending_[i + kAhead].hash);
     const std::size_t before = states_.size();
-    states_.number(state, hash);
-    if (states_.size() > before) parents_.push_back(parent);
+    states_.number(pending_[i].state, pending_[i].hash);
+    if (states_.size() > before) parents_.push_back(pending_[i].parent);
   }
   transitions_ += pending_.size();
   pending_.clear();
@@ -104,8 +107,8 @@ void Search::expand(std::uint32_t number) {
     }
     if (!isWorthwhile(step, state)) continue;
     for (const std::uint32_t first : outcomes[0]) {
-      if (limits_.balls == 1) add({step.to, {first}});
-      for (const std::uint32_t second : outcomes[1]) add({step.to, {first, second}});
+      if (limits_.balls == 1) add({step.to, {first}}, number);
+      for (const std::uint32_t second : outcomes[1]) add({step.to, {first, second}}, number);
     }
   }
   for (int place = 0; place < limits_.balls; ++place)
@@ -113,9 +116,8 @@ void Search::expand(std::uint32_t number) {
       State next = state;
       next.group = rows[place][i];
       next.balls[place] = rows[place][i + 1];
-      add(next);
+      add(next, number);
     }
-  flush(number);
 }
 
 std::size_t Search::bytes() const {
@@ -134,8 +136,8 @@ Result Search::run(const std::function<void(const Progress&)>& report) {
   const std::uint32_t nothing = ballNumber(Knowledge{});
   State first{model_.groups().number(newGroup(limits_)), {}};
   for (int place = 0; place < limits_.balls; ++place) first.balls[place] = nothing;
-  add(first);
-  flush(0);
+  add(first, 0);
+  flush();
   transitions_ = 0;
 
   double nextReport = kReportInterval;
@@ -152,6 +154,7 @@ Result Search::run(const std::function<void(const Progress&)>& report) {
               trace(static_cast<std::uint32_t>(number), found.flaw, found.place)};
     }
     ++expanded_;
+    if (pending_.size() >= kBatch || number == levelEnd) flush();
     if (number % kLookInterval != 0) continue;
     const Progress now = progress();
     if (report && now.seconds >= nextReport) {

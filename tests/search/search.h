@@ -77,8 +77,8 @@ class Search {
   void computeSteps(const Pair& pair, Row& row);
   bool isWorthwhile(const GroupStep& step, const State& state) const;
   void expand(std::uint32_t number);
-  void add(State state);
-  void flush(std::uint32_t parent);
+  void add(State state, std::uint32_t parent);
+  void flush();
   Progress progress() const;
   std::size_t bytes() const;
   using Names = std::array<int, kMaxBalls>;  // of the balls at a state's places
@@ -103,7 +103,13 @@ class Search {
   std::array<Row, kMaxBalls> rows_;
   std::vector<BallMove> moves_;
   std::vector<Word> words_;
-  std::vector<std::pair<State, std::uint64_t>> pending_;
+  struct Pending {
+    State state;
+    std::uint32_t parent = 0;
+    std::uint64_t hash = 0;
+  };
+  std::vector<Pending>
+      pending_;  // states to be entered, many at a time to hide the memory's latency
 
   std::size_t transitions_ = 0;
   std::size_t expanded_ = 0;
