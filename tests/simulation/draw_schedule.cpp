@@ -84,6 +84,9 @@ class Draw {
       case FaultKind::ReplayLog:
         fault.amount = random_.uniform(0.5, 30);
         break;
+      case FaultKind::Setting:
+        fault.amount = random_.uniform(0, 1);
+        break;
       case FaultKind::Pause:
         fault.duration = random_.uniform(0.2, 3);
         break;

@@ -38,10 +38,12 @@ enum class FaultKind : std::uint8_t {
   ReplayLog,    // what was sent `amount` s ago arrives once more
   Forge,        // malformed, truncated, foreign and invented messages arrive
   // To the session.
-  Pause,  // all peers stop at a common step
+  Pause,    // somebody pauses it, for `duration`
+  Reset,    // somebody lets the world start over
+  Setting,  // somebody changes a shared setting
 };
 
-inline constexpr std::array<std::string_view, 23> kFaultNames = {"start",
+inline constexpr std::array<std::string_view, 25> kFaultNames = {"start",
                                                                  "restart stale",
                                                                  "duplicate id",
                                                                  "crash",
@@ -63,7 +65,9 @@ inline constexpr std::array<std::string_view, 23> kFaultNames = {"start",
                                                                  "delay",
                                                                  "replay log",
                                                                  "forge",
-                                                                 "pause"};
+                                                                 "pause",
+                                                                 "reset",
+                                                                 "setting"};
 inline constexpr std::size_t kFaultKinds = kFaultNames.size();
 
 constexpr std::string_view name(FaultKind kind) {

@@ -243,6 +243,10 @@ void Invariants::healed(std::span<const PeerView> peers, double now) {
 void Invariants::settled(std::span<const PeerView> peers, double now) {
   for (const PeerView& peer : peers) {
     const PeerView& first = peers.front();
+    if (peer.settings != first.settings)
+      report(Invariant::Agree, now,
+             fmt::format("{} and {} know different shared settings", describe(first.self),
+                         describe(peer.self)));
     for (std::size_t i = 0; i < balls_; ++i) {
       const BallState a = first.balls->state(i);
       const BallState b = peer.balls->state(i);

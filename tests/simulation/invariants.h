@@ -62,6 +62,7 @@ struct PeerView {
   std::span<const Record> records;
   std::span<const Role> roles;
   const Balls* balls = nullptr;
+  std::uint64_t settings = 0;  // digest of the shared settings that it knows
   const std::vector<WellTrack>* tracks = nullptr;
 
   bool owns(std::size_t ball) const {

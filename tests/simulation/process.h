@@ -50,6 +50,7 @@ class Process {
   const WatchedTransport& transport() const { return transport_; }
   Contacts& contacts() { return contacts_; }
   const Contacts& contacts() const { return contacts_; }
+  Times times(double now) const;
   void setClockOffset(double seconds) { birth_.clockOffset = seconds; }
 
   /// Tells of each record that has another owner or standing than at the last call.
@@ -83,8 +84,6 @@ class Process {
   SessionCounts counts{};
 
  private:
-  Times times(double now) const;
-
   Birth birth_;
   double rate_;    // of its clocks
   double origin_;  // s, of its monotonic clock

@@ -123,6 +123,7 @@ void Run::heal() {
   waiting_.clear();
   comebacks_.clear();
   for (const Fault& fault : std::exchange(lasting_, {})) restore(fault);
+  ask(setting::kPause, "false");
   for (const auto& process : processes_) {
     process->next = std::min(process->next, now_);
     process->stallsMidTick = false;

@@ -45,7 +45,10 @@ class Run {
   void count(FaultKind kind, const Process& hit);
   void countAll(FaultKind kind, const Process* except);
   void applyToWire();
-  void pause();
+  std::vector<const Process*> oneOfEachGeneration() const;
+  void ask(std::string_view key, const std::string& value);
+  void ask(const Process& member, std::string_view key, const std::string& value);
+  void askToReset();
   PeerStates statesOf(const Process& process) const;
   Process* inSlot(int slot);
 
@@ -77,6 +80,7 @@ class Run {
   std::vector<Fault> waiting_;          // for their state, until at + kPatience
   std::vector<Fault> lasting_;          // until at + duration
   std::vector<Fault> comebacks_;        // of peers that have died or left
+  std::int64_t nextAsked_ = 0;          // number of the next request
   std::optional<std::int64_t> stopAt_;  // step
   bool isForged_ = false;               // some messages are not honest
   bool isHealed_ = false;

@@ -7,10 +7,12 @@
 namespace wells::simulation {
 namespace {
 
-constexpr double kFarewell = 0.2;        // s from a good-bye to the process's end
-constexpr double kReplayed = 2;          // s of a log that is played back
-constexpr double kStale = 3;             // s of its own former messages that a restarted peer finds
-constexpr std::int64_t kPauseDelay = 5;  // steps
+constexpr double kFarewell = 0.2;  // s from a good-bye to the process's end
+constexpr double kReplayed = 2;    // s of a log that is played back
+constexpr double kStale = 3;       // s of its own former messages that a restarted peer finds
+constexpr std::int64_t kSettingDelay = 5;  // steps
+constexpr std::int64_t kAsker = 1;         // incarnation of who asks for settings
+constexpr int kAsked = 3;                  // times, since any message may be lost
 constexpr std::size_t kMostStrangers = 2;
 
 bool isOfNetwork(FaultKind kind) {
@@ -21,6 +23,8 @@ bool isOfNetwork(FaultKind kind) {
     case FaultKind::ReplayLog:
     case FaultKind::Forge:
     case FaultKind::Pause:
+    case FaultKind::Reset:
+    case FaultKind::Setting:
       return true;
     default:
       return false;
@@ -118,8 +122,12 @@ void Run::strikeNetwork(const Fault& drawn) {
       isForged_ = true;
       return wire_.forge(static_cast<std::size_t>(schedule_.balls));
     case FaultKind::Pause:
-      pause();
+      ask(setting::kPause, "true");
       break;
+    case FaultKind::Reset:
+      return askToReset();
+    case FaultKind::Setting:
+      return ask(setting::kFriction, fmt::format("{:.3f}", fault.amount));
     default:
       break;
   }
@@ -137,11 +145,7 @@ void Run::restore(const Fault& fault) {
     if (fault.kind == FaultKind::Slow) process->slowness = 1;
     if (fault.kind == FaultKind::TinyBuffer) process->losesMessages = false;
   }
-  if (fault.kind == FaultKind::Pause && !isStopped_) {
-    stopAt_.reset();
-    for (const auto& process : processes_)
-      process->session().stopAt(std::numeric_limits<std::int64_t>::max());
-  }
+  if (fault.kind == FaultKind::Pause) ask(setting::kPause, "false");
   applyToWire();
 }
 
@@ -152,12 +156,50 @@ void Run::applyToWire() {
   wire_.apply(lasting_, plugs);
 }
 
-void Run::pause() {
-  if (isStopped_) return;
-  std::int64_t last = 0;
-  for (const auto& process : processes_) last = std::max(last, process->world().step);
-  stopAt_ = last + kPauseDelay;
-  for (const auto& process : processes_) process->session().stopAt(*stopAt_);
+std::vector<const Process*> Run::oneOfEachGeneration() const {
+  std::vector<const Process*> members;
+  for (const auto& process : processes_) {
+    const bool isNew = std::ranges::none_of(
+        members, [&](const Process* member) { return member->generation == process->generation; });
+    if (isNew && process->phase == Phase::Active) members.push_back(process.get());
+  }
+  return members;
+}
+
+void Run::ask(std::string_view key, const std::string& value) {
+  for (const Process* member : oneOfEachGeneration()) ask(*member, key, value);
+}
+
+void Run::askToReset() {
+  for (const Process* member : oneOfEachGeneration())
+    ask(*member, setting::kReset, std::to_string(resetsAsked(member->session().settings()) + 1));
+}
+
+void Run::ask(const Process& member, std::string_view key, const std::string& value) {
+  const Session& session = member.session();
+  const Generation& generation = session.generation();
+  const Register next = session.settings().next(key, value, kAsker + nextAsked_, "simulator",
+                                                member.world().step + kSettingDelay);
+  gravity_wells::request_t request;
+  request.header = {.utime = member.times(now_).wallUs,
+                    .protocol = gravity_wells::peer_header_t::PROTOCOL,
+                    .peer_id = 0,
+                    .incarnation = kAsker,
+                    .sequence = ++nextAsked_,
+                    .generation_resets = generation.resets,
+                    .generation_founded = generation.foundedUs,
+                    .generation_nonce = generation.nonce,
+                    .step = member.world().step};
+  request.count = 1;
+  request.settings.push_back({.key = std::string(key),
+                              .value = value,
+                              .version = next.version,
+                              .setter = next.setter,
+                              .set_by = next.setBy,
+                              .from_step = next.fromStep});
+  MessageBuffer buffer;
+  const auto bytes = encode(request, buffer);
+  for (int i = 0; i < kAsked; ++i) wire_.say(channelOf(request), bytes);
 }
 
 void Run::start(int slot, FaultKind kind) {
@@ -248,7 +290,7 @@ PeerStates Run::statesOf(const Process& process) const {
   }
   const Incarnation& self = session.self();
   states.add(session.ballsOwnedHere() == 0 ? PeerState::OwnsNothing : PeerState::Owns);
-  if (stopAt_ && process.world().step >= *stopAt_) states.add(PeerState::Paused);
+  if (isPaused(session.settings(), process.world().step)) states.add(PeerState::Paused);
   for (std::size_t i = 0; i < session.records().size(); ++i) {
     const Record& record = session.records()[i];
     if (process.hasOpenOffer(i)) states.add(PeerState::Offering);

@@ -58,6 +58,11 @@ void Wire::record(int slot, std::string_view channel, std::span<const std::byte>
   while (sent_.front().time < now() - kKept) sent_.pop_front();
 }
 
+void Wire::say(std::string_view channel, std::span<const std::byte> bytes) {
+  MemoryTransport source(network_);
+  source.publish(channel, bytes);
+}
+
 void Wire::replay(int slot, double from, double to) {
   MemoryTransport source(network_);
   std::size_t replayed = 0;

@@ -35,6 +35,9 @@ class Wire {
   /// A message of `slot` went out.
   void record(int slot, std::string_view channel, std::span<const std::byte> bytes);
 
+  /// Somebody who is no peer says something; it may get lost as any message.
+  void say(std::string_view channel, std::span<const std::byte> bytes);
+
   /// What `slot` (kAnySlot: anybody) sent between the times arrives once more, at once.
   void replay(int slot, double from, double to);
 
