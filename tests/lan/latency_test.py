@@ -15,7 +15,7 @@ import scenario
 from table import table_of
 
 parser = argparse.ArgumentParser(description=__doc__)
-parser.add_argument("--seconds", type=float, default=6, help="of simulated time")
+parser.add_argument("--seconds", type=float, default=5, help="of simulated time")
 parser.add_argument("--balls", type=int, default=1000)
 parser.add_argument("--delay", type=float, default=0.1, help="s")
 parser.add_argument("--spread", type=float, default=0.05, help="s, either way")
