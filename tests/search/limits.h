@@ -21,10 +21,10 @@ enum class Promises : std::uint8_t {
 
 struct Limits {
   int peers = 3;  // 2 .. 3
-  int balls = 2;  // 1 .. 2
+  int balls = 1;  // 1 .. 2; one stands for any number (model.h)
 
   int epochs = 3;      // of a term, counted from 0: one hand-over less. >= 1
-  int terms = 3;       // of a generation, counted from 0: one adoption in a row less. >= 1
+  int terms = 2;       // of a generation, counted from 0: one adoption in a row less. >= 1
   int suspicions = 2;  // of incarnations that live: one listener's lease of one incarnation ends
   int crashes = 1;     // a leave is the same thing (group.h)
   int restarts = 1;    // of peers that crashed; restarts + fences <= 3
