@@ -52,9 +52,14 @@ std::string table(const ProbeSurroundings& here, const ProbeRound& round) {
 
 std::string finding(const ProbeSurroundings& here, const ProbeRound& round) {
   if (passesBothWays(round)) {
-    return here.url.ttl > 0
-               ? "Multicast passes both ways.\n"
-               : "Multicast passes both ways on this machine; ttl=0 reaches no other.\n";
+    std::string text =
+        here.url.ttl > 0 ? "Multicast passes both ways.\n"
+                         : "Multicast passes both ways on this machine; ttl=0 reaches no other.\n";
+    for (const ProbedHost* host : round.hosts())
+      if (!host->hearsUs())
+        text += fmt::format("{} does not hear this machine: let UDP port {} and IGMP in there.\n",
+                            host->name, here.url.port);
+    return text;
   }
   if (!round.hosts().empty())
     return "Multicast comes from another machine, and does not get back to it.\n";

@@ -105,6 +105,22 @@ TEST(ProbeRound, TellsOneWayFromBoth) {
   EXPECT_NE(report.find("does not get back to it"), std::string::npos) << report;
 }
 
+TEST(ProbeReport, NamesTheOneThatDoesNotHearUs) {
+  Lan lan;
+  const ProbeRound& a = lan.add("lab1");
+  lan.add("lab2");
+  lan.add("lab3");
+  lan.network->setLink(0, 2, MemoryLink::Cut);
+  lan.run(2);
+  EXPECT_TRUE(passesBothWays(a));
+  const std::string report = probeReport(surroundings(1), a);
+  EXPECT_NE(
+      report.find("Multicast passes both ways.\nlab3 does not hear this machine: let UDP port "
+                  "9171 and IGMP in there.\n"),
+      std::string::npos)
+      << report;
+}
+
 TEST(ProbeRound, ManyMachinesAnswerInTurns) {
   Lan lan;
   constexpr int kMachines = kMaxEchoesInMessage + 6;
