@@ -50,15 +50,21 @@ def owners_at(recorded, time):
     return {ball: owner for ball, (_, owner) in greatest.items()}
 
 
+def until_good_bye(recorded):
+    """What was recorded before the first peer left: the others adopt its balls, two at a time may."""
+    for message in recorded:
+        if message.type == "heartbeat_t" and message.content.phase == message.content.LEAVING:
+            return
+        yield message
+
+
 def digests_at_the_end(recorded):
     """{host: {bucket: (balls counted, sum)}}, as last told before the first good-bye."""
     told = {}
-    for message in recorded:
+    for message in until_good_bye(recorded):
         if message.type != "heartbeat_t":
             continue
         heartbeat = message.content
-        if heartbeat.phase == heartbeat.LEAVING:
-            break
         for i, digest in enumerate(heartbeat.digests):
             counted = int.from_bytes(digest.known, "little").bit_count()
             told.setdefault(message.host, {})[heartbeat.first_bucket + i] = counted, digest.sum

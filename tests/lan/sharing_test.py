@@ -5,14 +5,14 @@ import signal
 import time
 
 import scenario
-from ownership import publications, stale
+from ownership import publications, stale, until_good_bye
 
 
 class GoodNetwork(scenario.Scenario):
     def test_balls_change_hands_and_views_agree(self):
         peers = [self.start(host, "--duration", 3) for host in self.HOSTS]
         self.end(peers)
-        published = publications(self.judge())
+        published = publications(until_good_bye(self.judge()))
         self.assert_agreement(peers)
         reports = [peer.report() for peer in peers]
         self.assertEqual(sum(report["adoptions"] for report in reports), 0)
@@ -21,7 +21,7 @@ class GoodNetwork(scenario.Scenario):
 
 
 class LossyNetwork(scenario.Scenario):
-    LEASE = 2.0  # s; a peer stays for half of it when it has all states, for those who lost some
+    LEASE = 3.0  # s; a peer stays for half of it when it has all states, for those who lost some
 
     def test_nothing_breaks_when_a_fifth_of_all_datagrams_is_lost(self):
         self.use_filter()

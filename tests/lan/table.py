@@ -6,7 +6,7 @@ import platform
 import re
 import subprocess
 
-from ownership import publications, stale
+from ownership import publications, stale, until_good_bye
 
 FOLDER = pathlib.Path(__file__).resolve().parent
 
@@ -85,8 +85,10 @@ def table_of(title, recorded, reports, relayed, lost, violations):
     for message in recorded:
         if message.type == "statistics_t":
             statistics[message.content.header.peer_id] = message.content
-    published = list(publications(recorded))
-    doubled = sum(1 for _ in stale(published))
+    shared = list(until_good_bye(recorded))
+    published = list(publications(shared))
+    generations = {p.tenure.generation for p in published}
+    doubled = list(stale(p for p in published if p.tenure.generation == max(generations)))
     span = recorded[-1].time - recorded[0].time
     whole = [
         ("recorded", f"{len(recorded)} messages in {span:.1f} s, {len(published)} states"),
@@ -95,8 +97,9 @@ def table_of(title, recorded, reports, relayed, lost, violations):
                               f"{100 * lost / max(1, relayed['sent']):.1f} %"),
         ("overtaken on the way", f"{relayed['overtaken']} datagrams, "
                                  f"{100 * relayed['overtaken'] / max(1, relayed['sent']):.1f} %"),
-        ("states of balls already taken", str(doubled)),
-        ("longest without a ball's state", f"{longest_silence(published, recorded[-1].time):.2f} s"),
+        ("sessions founded", f"{len(generations)}, of which one has won"),
+        ("states of balls already taken", str(len(doubled))),
+        ("longest without a ball's state", f"{longest_silence(published, shared[-1].time):.2f} s"),
         ("state at the end", ", ".join(sorted({r["state_hash"] for r in reports}))),
         ("commit, processor", f"{commit()}, {processor()}"),
     ]
