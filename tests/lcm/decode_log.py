@@ -16,15 +16,19 @@ import lcm
 
 def values(message, counts):
     """All fields in the order of their declaration; counts of arrays go into `counts`."""
-    for name, dimensions in zip(message.__slots__, message.__dimensions__):
+    fields = list(zip(message.__slots__, message.__dimensions__))
+    are_counts = {size for _, dimensions in fields for size in dimensions or () if isinstance(size, str)}
+    for name, dimensions in fields:
         value = getattr(message, name)
-        if name == "count":
-            counts.append((value, message))
-        elif dimensions is None:
+        if name in are_counts:
+            continue
+        if dimensions is None:
             yield from one(value, counts)
-        else:
-            for element in value:
-                yield from one(element, counts)
+            continue
+        if isinstance(dimensions[0], str):
+            counts.append((getattr(message, dimensions[0]), value))
+        for element in value:
+            yield from one(element, counts)
 
 
 def one(value, counts):
@@ -48,8 +52,7 @@ def check(type_name, message):
     for number, value in enumerate(fields, start=1):
         if value != expected(value, number):
             sys.exit(f"{type_name}: field {number} is {value!r}")
-    for count, owner in counts:
-        array = owner.balls if hasattr(owner, "balls") else owner.keyframes
+    for count, array in counts:
         if count != len(array) or count == 0:
             sys.exit(f"{type_name}: count is {count}, and there are {len(array)}")
     return len(fields)
