@@ -143,9 +143,12 @@ TEST(Border, ABallThatOrbitsOnItIsHandedOverAtMostOnceForEachCrossing) {
       Border border(2, orbit(radius, period), leftAndRight);
       border.run(20);
       EXPECT_LE(border.handovers(), border.crossings()) << radius << " m, " << period << " s";
-      if (radius < 0.75) EXPECT_EQ(border.handovers(), 0) << "never leaves the band";
-      if (radius >= 1 && period >= 2.5)
+      if (radius < 0.75) {
+        EXPECT_EQ(border.handovers(), 0) << "never leaves the band";
+      }
+      if (radius >= 1 && period >= 2.5) {
         EXPECT_GE(border.handovers(), border.crossings() - 1) << radius << " m, " << period << " s";
+      }
     }
   }
 }
@@ -163,7 +166,9 @@ TEST(Border, WellsThatSwapPlacesGiveAtMostOneHandOverForEachSwap) {
         swapping);
     border.run(30);
     EXPECT_LE(border.handovers(), border.crossings()) << "each " << swap << " steps";
-    if (swap == 60) EXPECT_GE(border.handovers(), 28);
+    if (swap == 60) {
+      EXPECT_GE(border.handovers(), 28);
+    }
   }
 }
 

@@ -22,10 +22,8 @@ void Contacts::hear(const gravity_wells::heartbeat_t& heartbeat, const Generatio
   Heard* heard = find(who);
   if (!heard) heard = &heard_.emplace_back(Heard{.who = who});
   if (header.sequence <= heard->sequences.highest()) return hear(header, generation, now);
-  if (heard->generation != generationOf(header)) heard->step = -1;
   heard->generation = generationOf(header);
   heard->phase = static_cast<Phase>(heartbeat.phase);
-  heard->isPaused = heartbeat.paused != 0;
   hear(header, generation, now);
 }
 
@@ -38,8 +36,6 @@ void Contacts::hear(const gravity_wells::peer_header_t& header, const Generation
                         (heard->phase == Phase::Syncing || heard->phase == Phase::Active);
   if (!isMember) return;
   heard->asMember = now;
-  if (header.step <= heard->step && !heard->isPaused) return;
-  heard->step = header.step;
   if (now - heard->renewed > kLongestGap * lease_) heard->since = now;
   heard->renewed = now;
 }

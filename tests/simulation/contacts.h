@@ -36,9 +36,7 @@ class Contacts {
     Incarnation who{};
     Generation generation{};
     Phase phase = Phase::Joining;
-    bool isPaused = false;
     SequenceWindow sequences{};
-    std::int64_t step = -1;
     double since = kNever;     // s, since when it has been steady
     double renewed = kNever;   // s
     double asMember = kNever;  // s, when it was last heard with a say

@@ -37,11 +37,6 @@ TEST_F(ContactsTest, IsSteadyWhileNoGapIsLong) {
   EXPECT_FALSE(contacts.isSteady({PeerId{2}, 23}, 0, 5)) << "another incarnation";
 }
 
-TEST_F(ContactsTest, WhoseStepStandsStillIsNotSteady) {
-  for (int i = 0; i < 50; ++i) beat(0.1 * i);
-  EXPECT_FALSE(contacts.isSteady(kOther, 1, 5));
-}
-
 TEST_F(ContactsTest, HearsOnlyThoseWhoAreNotSilent) {
   beat(0);
   EXPECT_FALSE(contacts.hearsOnly({}, 4, 1));

@@ -129,11 +129,11 @@ class Draw {
     add(before);
   }
 
-  /// When the faults end, some who are gone start again; one, at least, is there.
+  /// When the faults end, some who are gone start again; two, at least, are there.
   void comeBack() {
     const int first = anySlot();
     for (int slot = 0; slot < shape_.peers; ++slot)
-      if (slot == first || random_.below(2) == 0)
+      if (slot == first || slot == (first + 1) % shape_.peers || random_.below(2) == 0)
         add({.at = schedule_.heal, .kind = FaultKind::Start, .slot = slot});
   }
 

@@ -167,6 +167,13 @@ Version Invariants::knownFor(int process, std::size_t ball, double seconds, doub
 }
 
 void Invariants::joined(const PeerView& joiner, std::span<const int> others, double now) {
+  for (const int other : others) {
+    const PeerId id = processes_[other].self.peer;
+    if (std::ranges::count(*joiner.tracks, id, &WellTrack::peer) == 0)
+      report(Invariant::WellsAgree, now,
+             fmt::format("{} becomes active without the well of peer {}", describe(joiner.self),
+                         value(id)));
+  }
   for (std::size_t i = 0; i < balls_; ++i) {
     for (const int other : others) {
       Version known = knownFor(other, i, 1, now);
@@ -190,7 +197,10 @@ void Invariants::group(std::span<const PeerView> peers, double now) {
       if (peer.owns(i)) ++owners;
       if (peer.records[i].version > latest->records[i].version) latest = &peer;
     }
-    if (owners == 1) continue;
+    if (owners == 1) {
+      unowned_.erase({peers.front().self, i});
+      continue;
+    }
     const auto complain = [&](Invariant invariant, const std::string& what) {
       std::string text = fmt::format("ball {} {}:", i, what);
       for (const PeerView& peer : peers)
@@ -218,10 +228,6 @@ void Invariants::group(std::span<const PeerView> peers, double now) {
       unowned.since = now;
     }
   }
-  // What has an owner again.
-  std::erase_if(unowned_, [&](const auto& entry) {
-    return entry.first.first == peers.front().self && entry.second.seen != now;
-  });
 }
 
 void Invariants::healed(std::span<const PeerView> peers, double now) {

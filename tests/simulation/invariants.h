@@ -32,7 +32,7 @@ enum class Invariant : std::uint8_t {
   StatesFit,         // a ghost is where the state of its very version leads
   SilentGiveUp,      // who stood still for a lease is not the one it was
   OlderLasts,        // an active peer changes only to a session reset more often or founded earlier
-  WellsAgree,        // stopped and settled: equal wells, none of a peer that is gone
+  WellsAgree,        // settled: equal wells, none of who is gone; joiners know the others'
 };
 
 inline constexpr std::array<std::string_view, 15> kInvariantNames = {

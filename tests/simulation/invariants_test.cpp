@@ -40,13 +40,15 @@ struct Knowledge {
             .step = 10,
             .records = records,
             .roles = roles,
-            .balls = &balls};
+            .balls = &balls,
+            .tracks = &tracks};
   }
   int process;
   Incarnation self;
   std::vector<Record> records = std::vector<Record>(kBalls);
   std::vector<Role> roles = std::vector<Role>(kBalls, Role::Ghost);
   Balls balls;
+  std::vector<WellTrack> tracks;
 };
 
 /// One and two know that one owns both balls.

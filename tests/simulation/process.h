@@ -70,12 +70,14 @@ class Process {
   bool stallsMidTick = false;                              // when next it has received ...
   double stall = 0;                                        // ... for so long, s
   bool losesMessages = false;                              // its receive buffer is too small
+  double lastLoss = 0;                                     // s, until when that was so
   double slowness = 1;                                     // factor of the time between two ticks
   std::optional<Fault> doom;                               // dies at the next offer, as this says
   std::optional<std::pair<std::size_t, Version>> offered;  // dies when this was answered
   double gone = 0;  // s, when it ends after its good-bye; 0: has not left
   bool isKilled = false;
   std::optional<Fault> comeback;  // when it has ended, it starts again as this says
+  double syncingSince = 0;        // s
   double activeSince = 0;         // s; as this incarnation, in this generation
   // What was seen of it last, for the log and for the counts.
   Phase phase = Phase::Joining;

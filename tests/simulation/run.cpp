@@ -50,7 +50,7 @@ void Run::run() {
   while (!isOver()) {
     advanceTo(nextTime());
     if (!isHealed_ && now_ >= schedule_.heal) heal();
-    if (!isStopped_ && now_ >= schedule_.stop) stop();
+    if (!isStopped_ && now_ >= schedule_.stop) stopWhenSeenEnough();
     endFaults();
     beginFaults();
     for (std::size_t i = 0; i < processes_.size(); ++i)
@@ -130,6 +130,18 @@ void Run::heal() {
     process->doom.reset();
     process->offered.reset();
   }
+}
+
+// Where too many were gone for too long, the run goes on until it has shown something.
+void Run::stopWhenSeenEnough() {
+  constexpr double kMore = 5;  // s
+  std::int64_t handovers = tally_.handovers;
+  for (const auto& process : processes_)
+    handovers += process->session().counts().balls.handoversTaken;
+  if (handovers >= kFewHandovers || extensions_ == kMostExtensions) return stop();
+  ++extensions_;
+  schedule_.stop += kMore;
+  schedule_.end += kMore;
 }
 
 void Run::stop() {
@@ -232,8 +244,9 @@ void Run::checkGroups() {
 }
 
 bool Run::isAwake(const Process& process, double seconds) const {
-  return !process.isKilled && process.phase == Phase::Active &&
-         now_ - process.activeSince >= seconds && now_ - process.ticked <= kLease / 2;
+  return !process.isKilled && process.phase == Phase::Active && !process.losesMessages &&
+         now_ - process.lastLoss >= seconds && now_ - process.activeSince >= seconds &&
+         now_ - process.ticked <= kLease / 2;
 }
 
 bool Run::haveHeardEachOther(const Process& a, const Process& b, double seconds) const {

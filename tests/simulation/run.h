@@ -27,6 +27,7 @@ class Run {
   void beginFaults();
   void endFaults();
   void heal();
+  void stopWhenSeenEnough();
   void stop();
   void tick(Process& process);
   void receive(Process& process);
@@ -84,6 +85,8 @@ class Run {
   std::optional<std::int64_t> stopAt_;  // step
   bool isForged_ = false;               // some messages are not honest
   bool isHealed_ = false;
+  static constexpr int kMostExtensions = 20;
+  int extensions_ = 0;  // of the run
   bool isStopped_ = false;
   bool isSettled_ = false;
 };

@@ -143,7 +143,10 @@ void Run::restore(const Fault& fault) {
   trace_.add(now_, "over: {}", name(fault.kind));
   if (Process* process = inSlot(fault.slot)) {
     if (fault.kind == FaultKind::Slow) process->slowness = 1;
-    if (fault.kind == FaultKind::TinyBuffer) process->losesMessages = false;
+    if (fault.kind == FaultKind::TinyBuffer) {
+      process->losesMessages = false;
+      process->lastLoss = now_;
+    }
   }
   if (fault.kind == FaultKind::Pause) ask(setting::kPause, "false");
   applyToWire();

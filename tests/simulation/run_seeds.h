@@ -15,9 +15,6 @@ struct Failure {
   Violation violation;  // the first of its run
 };
 
-/// A run with fewer has shown little about hand-overs.
-inline constexpr std::int64_t kFewHandovers = 100;
-
 struct SeedsOutcome {
   Tally tally;
   std::vector<Failure> failures;            // by rising seed

@@ -114,6 +114,8 @@ void Run::noteChanges(Process& process) {
     trace_.add(now_, "{} is {}", describe(session.self()), name(session.phase()));
   const bool hasJoined = process.phase == Phase::Syncing && session.phase() == Phase::Active;
   if (isAnew || process.phase != session.phase()) process.activeSince = now_;
+  if (isAnew || (process.phase != Phase::Syncing && session.phase() == Phase::Syncing))
+    process.syncingSince = now_;
   process.self = session.self();
   process.generation = session.generation();
   process.phase = session.phase();
@@ -136,7 +138,8 @@ void Run::noteChanges(Process& process) {
     trace_.add(now_, "{} is fenced", describe(process.self));
   process.counts = counts;
 
-  if (!hasJoined) return;
+  // One that has not come to agree with all takes part after two leases nevertheless.
+  if (!hasJoined || now_ - process.syncingSince >= 2 * kLease - 0.1) return;
   std::vector<int> others;
   for (const auto& other : processes_)
     if (other.get() != &process && !other->isKilled && other->phase == Phase::Active &&

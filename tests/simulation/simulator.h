@@ -13,6 +13,9 @@
 
 namespace wells::simulation {
 
+/// A run with fewer has shown little about hand-overs.
+inline constexpr std::int64_t kFewHandovers = 100;
+
 struct Outcome {
   std::vector<Violation> violations;
   Tally tally;

@@ -8,7 +8,7 @@ namespace {
 constexpr double kDt = 1 / kStepRate;         // s
 constexpr double kStiffness = 2.5;            // 1/s^2, a swing takes 4 s
 constexpr double kRadius = 10;                // m, of the swings and of the wells' circle
-constexpr double kTurnPeriod = 2.5;            // s, of the wells
+constexpr double kTurnPeriod = 2.5;           // s, of the wells
 constexpr std::uint64_t kKnockInterval = 16;  // steps, on average
 
 void advance(BallState& ball) {
