@@ -196,6 +196,8 @@ TEST_F(InvariantsTest, AdoptionFromWhoWasSilentIsRight) {
 TEST_F(InvariantsTest, AJoinerKnowsWhatHasBeenKnownForASecond) {
   Knowledge joiner{2, kThree};
   for (std::size_t i = 0; i < kBalls; ++i) joiner.know(i, kOne, 0);
+  for (const PeerId id : {kOne.peer, kTwo.peer})
+    joiner.tracks.push_back({.keyframes = {WellKeyframe{}}, .peer = id});
   one.know(1, kTwo, 1, Standing::Named);
   observe();
   now += 0.5;
