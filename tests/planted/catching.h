@@ -8,14 +8,22 @@
 namespace wells::planted {
 
 struct Catch {
-  std::string promise;      // that was broken
-  std::uint64_t count = 0;  // the seed, or the states until then
+  std::string promise;  // that was broken ...
+  std::string what;     // ... and how
 };
 
-/// One simulated session of this seed with defect `number`; 0: without.
-std::optional<Catch> simulateSeed(int number, std::uint64_t seed);
+/// The number of no defect.
+inline constexpr int kNone = 0;
 
-/// Searches all interleavings within limits that a few seconds are enough for.
-std::optional<Catch> search(int number);
+/// One simulated session of this seed with a defect.
+std::optional<Catch> simulate(int defect, std::uint64_t seed);
+
+struct Searched {
+  std::uint64_t states = 0;
+  std::optional<Catch> caught;
+};
+
+/// Searches all interleavings with a defect in ownership/, within limits that take a second.
+Searched search(int defect);
 
 }  // namespace wells::planted

@@ -1,7 +1,8 @@
-// gravity-wells-planted: which promise catches each planted defect, and how soon.
+// gravity-wells-planted: which promise catches each planted defect, and how soon: caught.txt.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <map>
 
@@ -13,36 +14,60 @@ namespace {
 
 struct Options {
   std::uint64_t seeds = 3000;
-  std::uint64_t control = 3000;
   std::vector<std::string> only;
 };
+
+void print(std::string_view defect, std::string_view file, std::string_view caughtBy,
+           std::string_view seeds, std::string_view states) {
+  fmt::print("{:24} | {:28} | {:6} | {:6} | {}\n", defect, file, seeds, states, caughtBy);
+  std::fflush(stdout);
+}
 
 /// A seed that breaks a promise without any defect tells nothing about one.
 bool failsAnyway(std::uint64_t seed) {
   static std::map<std::uint64_t, bool> known;
   const auto [entry, isNew] = known.try_emplace(seed);
-  if (isNew) entry->second = simulateSeed(0, seed).has_value();
+  if (isNew) entry->second = simulate(kNone, seed).has_value();
   return entry->second;
 }
 
-std::string row(const Defect& defect, const Options& options) {
-  std::string bySimulation = "-", bySearch = "-", promise = "SURVIVED";
-  for (std::uint64_t seed = 1; seed <= options.seeds; ++seed) {
-    const auto caught = simulateSeed(defect.number, seed);
+void printControl(const Options& options) {
+  std::uint64_t violations = 0;
+  for (std::uint64_t seed = 1; seed <= options.seeds; ++seed) violations += failsAnyway(seed);
+  const Searched searched = search(kNone);
+  print("none", "",
+        fmt::format("{} violations in {} seeds and {} states", violations + !!searched.caught,
+                    options.seeds, searched.states),
+        "-", "-");
+}
+
+/// True when it was caught.
+bool printRow(const Defect& defect, const Options& options) {
+  std::string caughtBy, seeds = "-", states = "-";
+  for (std::uint64_t seed = 1; seed <= options.seeds && caughtBy.empty(); ++seed) {
+    const auto caught = simulate(defect.number, seed);
     if (!caught || failsAnyway(seed)) continue;
-    promise = caught->promise;
-    bySimulation = fmt::format("{}", seed);
-    break;
+    caughtBy = caught->promise;
+    seeds = fmt::format("{}", seed);
   }
-  static const bool searchFailsAnyway = search(0).has_value();
-  if (searchFailsAnyway) {
-    bySearch = "?";
-  } else if (const auto caught = search(defect.number)) {
-    if (promise == "SURVIVED") promise = caught->promise;
-    bySearch = fmt::format("{}", caught->count);
+  if (defect.file.starts_with("ownership/")) {
+    if (const Searched searched = search(defect.number); searched.caught) {
+      caughtBy += fmt::format("{}{}", caughtBy.empty() ? "" : "; ", searched.caught->promise);
+      states = fmt::format("{}", searched.states);
+    }
   }
-  return fmt::format("{:24} | {:28} | {:20} | {:>6} | {:>8}\n", defect.name, defect.file, promise,
-                     bySimulation, bySearch);
+  print(defect.name, defect.file, caughtBy.empty() ? "SURVIVED" : caughtBy, seeds, states);
+  return !caughtBy.empty();
+}
+
+bool run(const Options& options) {
+  print("defect", "file", "broken promise: of the simulator; of the search", "seeds", "states");
+  if (options.only.empty()) printControl(options);
+  bool allCaught = true;
+  for (const Defect& defect : defects())
+    if (options.only.empty() || std::ranges::count(options.only, defect.name) > 0)
+      allCaught = printRow(defect, options) && allCaught;
+  return allCaught;
 }
 
 }  // namespace
@@ -51,15 +76,12 @@ std::string row(const Defect& defect, const Options& options) {
 int main(int argc, char** argv) {
   using namespace wells::planted;
   Options options;
-  CLI::App app("Runs each planted defect until a promise is broken.");
+  CLI::App app(
+      "Runs each planted defect until a promise is broken, and prints the table of what caught it. "
+      "Exit status 1: one survived.");
   app.option_defaults()->always_capture_default();
   app.add_option("--seeds", options.seeds, "seeds to simulate, at most, for each");
-  app.add_option("--control", options.control, "seeds to simulate without a defect");
   app.add_option("--only", options.only, "names of defects");
   CLI11_PARSE(app, argc, argv);
-  for (const Defect& defect : defects()) {
-    if (!options.only.empty() && !std::ranges::count(options.only, defect.name)) continue;
-    fmt::print("{}", row(defect, options));
-    std::fflush(stdout);
-  }
+  return run(options) ? 0 : 1;
 }

@@ -5,12 +5,13 @@
 
 namespace wells::planted {
 
-std::optional<Catch> simulateSeed(int number, std::uint64_t seed) {
-  choice = number;
+std::optional<Catch> simulate(int defect, std::uint64_t seed) {
+  choice = defect;
   const auto outcome = simulation::simulate(simulation::drawSchedule(seed, {}));
-  choice = 0;
+  choice = kNone;
   if (outcome.violations.empty()) return std::nullopt;
-  return Catch{std::string(name(outcome.violations.front().invariant)), seed};
+  const simulation::Violation& first = outcome.violations.front();
+  return Catch{std::string(name(first.invariant)), first.what};
 }
 
 }  // namespace wells::planted
