@@ -84,7 +84,7 @@ void SessionWatch::hear(const gravity_wells::statistics_t& m, Times now) {
 void SessionWatch::hear(const gravity_wells::settings_t& m, Times) {
   WatchedPeer* peer = find(m.header);
   if (!peer || generationOf(m.header) != peer->generation()) return;
-  for (const auto& s : m.settings)
+  for (const auto& s : m.known)
     peer->settings.learn(s.key, {s.value, s.version, s.setter, s.set_by, s.from_step});
 }
 

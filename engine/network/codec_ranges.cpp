@@ -140,7 +140,7 @@ bool isInRange(const statistics_t& message, const DecodeLimits&) {
 }
 
 bool isInRange(const settings_t& message, const DecodeLimits&) {
-  return isInRange(message.header) && areInRange(message.settings);
+  return isInRange(message.header) && areInRange(message.known);
 }
 
 bool isInRange(const request_t& message, const DecodeLimits&) {

@@ -207,7 +207,7 @@ void Session::noteClock(const gravity_wells::peer_header_t& header, Times now) {
 
 std::optional<Drop> Session::hear(World& world, const gravity_wells::settings_t& m, Times now) {
   if (const auto drop = checkMember(m.header, now)) return drop;
-  return learn(world, m.settings, now);
+  return learn(world, m.known, now);
 }
 
 std::optional<Drop> Session::hear(World& world, const gravity_wells::request_t& m, Times now) {

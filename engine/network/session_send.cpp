@@ -114,11 +114,11 @@ void Session::sendSettings(const World& world, Times now) {
   for (auto next = registers.begin(); next != registers.end();) {
     gravity_wells::settings_t m;
     m.header = header(world, now);
-    for (; next != registers.end() && m.settings.size() < kMaxSettingsInMessage; ++next) {
+    for (; next != registers.end() && m.known.size() < kMaxSettingsInMessage; ++next) {
       const auto& [key, r] = *next;
-      m.settings.push_back({key, r.value, r.version, r.setter, r.setBy, r.fromStep});
+      m.known.push_back({key, r.value, r.version, r.setter, r.setBy, r.fromStep});
     }
-    m.count = static_cast<std::int32_t>(m.settings.size());
+    m.count = static_cast<std::int32_t>(m.known.size());
     send(m);
   }
 }

@@ -58,8 +58,8 @@ class Speaker {
     gravity_wells::settings_t m{};
     m.header = header(step);
     for (const auto& [key, r] : known.registers())
-      m.settings.push_back({key, r.value, r.version, r.setter, r.setBy, r.fromStep});
-    m.count = static_cast<std::int32_t>(m.settings.size());
+      m.known.push_back({key, r.value, r.version, r.setter, r.setBy, r.fromStep});
+    m.count = static_cast<std::int32_t>(m.known.size());
     return m;
   }
 

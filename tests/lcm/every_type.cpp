@@ -128,10 +128,16 @@ std::vector<std::uint8_t> encodeStatistics() {
   return encode(m);
 }
 
-// settings_t or request_t.
-template <class Message>
 std::vector<std::uint8_t> encodeSettings() {
-  Message m{};
+  settings_t m{};
+  m.count = 4;
+  m.known.resize(4);
+  Numbers().fill(m.header, m.known);
+  return encode(m);
+}
+
+std::vector<std::uint8_t> encodeRequest() {
+  request_t m{};
   m.count = 4;
   m.settings.resize(4);
   Numbers().fill(m.header, m.settings);
@@ -159,9 +165,9 @@ EncodedMessages encodeEveryType() {
           {"peer_view_t", encodeSimple<peer_view_t>()},
           {"probe_echo_t", encodeSimple<probe_echo_t>()},
           {"probe_t", encodeProbe()},
-          {"request_t", encodeSettings<request_t>()},
+          {"request_t", encodeRequest()},
           {"setting_t", encodeSimple<setting_t>()},
-          {"settings_t", encodeSettings<settings_t>()},
+          {"settings_t", encodeSettings()},
           {"statistics_t", encodeStatistics()},
           {"well_keyframe_t", encodeSimple<well_keyframe_t>()},
           {"wells_t", encodeWells()},

@@ -112,7 +112,7 @@ inline gravity_wells::settings_t goodSettings(int count = 2) {
   gravity_wells::settings_t m;
   m.header = goodHeader();
   m.count = count;
-  m.settings.assign(static_cast<std::size_t>(count), goodSetting());
+  m.known.assign(static_cast<std::size_t>(count), goodSetting());
   return m;
 }
 

@@ -63,7 +63,7 @@ TEST(Codec, TheLargestMessagesFitOneEthernetFrame) {
   gravity_wells::world_config_t config = goodConfig();
   config.canonical.assign(kMaxCanonicalBytes, 'x');
   gravity_wells::settings_t settings = goodSettings(kMaxSettingsInMessage);
-  for (auto& setting : settings.settings) {
+  for (auto& setting : settings.known) {
     setting.key.assign(kMaxSettingKey, 'k');
     setting.value.assign(kMaxSettingValue, 'v');
     setting.set_by.assign(kMaxSettingAuthor, 'a');
@@ -73,13 +73,15 @@ TEST(Codec, TheLargestMessagesFitOneEthernetFrame) {
   statistics.drops.assign(kMaxDropReasonsInMessage, {std::string(kMaxDropReason, 'r'), 1});
   statistics.peers = kMaxViewsInMessage;
   statistics.views.assign(kMaxViewsInMessage, {});
+  constexpr DecodeLimits kManyBalls{.balls = kMaxBucketsInMessage * 256};
   for (const Message& message :
        {Message(goodStates(kMaxBallsInMessage)), Message(goodOffers(kMaxBallsInMessage)),
         Message(goodWells(kMaxKeyframesInMessage)), Message(config),
         Message(goodHeartbeat(kMaxBucketsInMessage)), Message(settings), Message(statistics)}) {
     const Bytes bytes = bytesOf(message);
     EXPECT_LE(bytes.size(), kMaxMessageBytes);
-    EXPECT_TRUE(std::holds_alternative<Message>(decodeOn(message, bytes)));
+    EXPECT_TRUE(
+        std::holds_alternative<Message>(decode(channelOfMessage(message), bytes, kManyBalls)));
   }
 }
 
@@ -161,7 +163,10 @@ TEST(Codec, RefusesEveryNumberOutsideItsRange) {
       [](auto& m) { m.balls_owned = 26; },
       [](auto& m) { m.balls_owned = -1; },
       [](auto& m) { m.first_bucket = -1; },
-      [](auto& m) { m.first_bucket = 1; },  // 25 balls lie in one bucket
+      [](auto& m) {  // 25 balls lie in one bucket
+        m = goodHeartbeat(1);
+        m.first_bucket = 1;
+      },
   };
   for (std::size_t i = 0; i < std::size(headers); ++i) {
     gravity_wells::heartbeat_t m = goodHeartbeat();
@@ -231,7 +236,7 @@ TEST(Codec, RefusesEveryNumberOutsideItsRange) {
   };
   for (std::size_t i = 0; i < std::size(settings); ++i) {
     gravity_wells::settings_t m = goodSettings();
-    settings[i](m.settings.back());
+    settings[i](m.known.back());
     EXPECT_EQ(dropOf(m), Drop::OutOfRange) << "damage " << i;
   }
   gravity_wells::request_t request = goodRequest();
