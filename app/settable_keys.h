@@ -10,7 +10,7 @@ namespace wells {
 
 struct SettableKey {
   std::string name;     // of a peer's well: "N.WellStrength"
-  std::string allowed;  // "0.1 to 10000 Hz"
+  std::string allowed;  // "10 to 10000 Hz"
   std::string help;
   std::string unset;  // what holds while nobody has set it
 

@@ -50,8 +50,9 @@ std::optional<Drop> Peers::hear(const gravity_wells::heartbeat_t& heartbeat, Tim
     peer.heartbeats = std::min(peer.heartbeats + 1, 1000);
     peer.countedAt = now.monotonic;
   }
-  // One that was overtaken on its way tells an old phase.
-  if (header.sequence < peer.sequences.highest()) return std::nullopt;
+  // One that was overtaken by a later one tells an old phase.
+  if (header.sequence < peer.newestHeartbeat) return std::nullopt;
+  peer.newestHeartbeat = header.sequence;
 
   if (peer.generation != generationOf(header)) peer.step = 0;
   peer.startedUs = heartbeat.started;

@@ -48,6 +48,7 @@ struct Peer {
   bool isOver = false;     // it said good-bye
   bool isNoted = false;    // the user was told about its world or its clock
   SequenceWindow sequences{};
+  std::int64_t newestHeartbeat = 0;  // its sequence number
 
   /// Who started first keeps an id and founds a generation.
   bool startedBefore(std::int64_t otherStartedUs, std::int64_t otherIncarnation) const {

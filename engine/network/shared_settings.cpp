@@ -11,7 +11,7 @@ namespace wells {
 namespace {
 
 constexpr double kMaxRate = 10'000;  // Hz
-constexpr double kMinRate = 0.1;     // Hz
+constexpr double kMinRate = 10;      // Hz; peers speak at each step, and leases are short
 constexpr double kMaxFriction = 100;
 constexpr std::int64_t kMaxResets = 1'000'000'000;
 
@@ -35,7 +35,7 @@ struct NumberRange {
 };
 
 constexpr NumberRange kNumbers[] = {
-    {setting::kSimulationRate, kMinRate, kMaxRate, "0.1 to 10000 Hz"},
+    {setting::kSimulationRate, kMinRate, kMaxRate, "10 to 10000 Hz"},
     {setting::kElasticity, 0, 1, "0 to 1"},
     {setting::kFriction, 0, kMaxFriction, "0 to 100"},
 };

@@ -23,7 +23,7 @@ inline constexpr std::size_t kMaxSharedSettings = 64;  // more are refused
 
 /// The keys that a session itself obeys:
 ///   Pause           true or false
-///   SimulationRate  steps per wall second, 0.1 .. 10000
+///   SimulationRate  steps per wall second, 10 .. 10000
 ///   Gravity         on, off or reversed, compared with the world's own
 ///   Elasticity      0 .. 1
 ///   Friction        0 .. 100

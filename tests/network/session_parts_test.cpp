@@ -310,6 +310,18 @@ TEST_F(PeersTest, APhaseThatWasOvertakenIsNotHeeded) {
   EXPECT_EQ(peers_.find(11)->phase, Phase::Syncing);
 }
 
+TEST_F(PeersTest, AHeartbeatThatOtherMessagesOvertookStillRenewsTheLease) {
+  EXPECT_FALSE(peers_.hear(heartbeat(1, 11, 1), at(0)));
+  for (int i = 1; i <= 10; ++i) {
+    auto paused = heartbeat(1, 11, 1);
+    paused.paused = 1;
+    const auto states = heartbeat(1, 11, 1).header;  // sent after it, in the same burst
+    EXPECT_FALSE(peers_.hear(states, at(i)));
+    EXPECT_FALSE(peers_.hear(paused, at(i)));
+    ASSERT_EQ(peers_.livingActive(i).size(), 1u) << "it stands still on purpose";
+  }
+}
+
 TEST_F(PeersTest, OneThatComesBackAsANewIncarnationReplacesTheOldOne) {
   EXPECT_FALSE(peers_.hear(heartbeat(1, 11, 1), at(0)));
   EXPECT_FALSE(peers_.hear(heartbeat(1, 12, 2), at(1.1)));

@@ -111,7 +111,7 @@ TEST(SharedSettings, RefusesWhatIsNotAllowedAndSaysWhatIs) {
   for (const auto& [key, good] :
        std::vector<std::pair<std::string, std::string>>{{"Pause", "true"},
                                                         {"Pause", "false"},
-                                                        {"SimulationRate", "0.1"},
+                                                        {"SimulationRate", "10"},
                                                         {"SimulationRate", "10000"},
                                                         {"Gravity", "on"},
                                                         {"Gravity", "off"},
@@ -124,7 +124,7 @@ TEST(SharedSettings, RefusesWhatIsNotAllowedAndSaysWhatIs) {
   for (const auto& [key, bad] :
        std::vector<std::pair<std::string, std::string>>{{"Pause", "yes"},
                                                         {"Pause", ""},
-                                                        {"SimulationRate", "0"},
+                                                        {"SimulationRate", "9.9"},
                                                         {"SimulationRate", "1e9"},
                                                         {"SimulationRate", "nan"},
                                                         {"Gravity", "sideways"},

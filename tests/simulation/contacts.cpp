@@ -21,7 +21,9 @@ void Contacts::hear(const gravity_wells::heartbeat_t& heartbeat, const Generatio
   const Incarnation who{PeerId{header.peer_id}, header.incarnation};
   Heard* heard = find(who);
   if (!heard) heard = &heard_.emplace_back(Heard{.who = who});
-  if (header.sequence <= heard->sequences.highest()) return hear(header, generation, now);
+  // One that a later one overtook tells an old phase.
+  if (header.sequence <= heard->newestHeartbeat) return hear(header, generation, now);
+  heard->newestHeartbeat = header.sequence;
   heard->generation = generationOf(header);
   heard->phase = static_cast<Phase>(heartbeat.phase);
   hear(header, generation, now);

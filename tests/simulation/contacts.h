@@ -37,9 +37,10 @@ class Contacts {
     Generation generation{};
     Phase phase = Phase::Joining;
     SequenceWindow sequences{};
-    double since = kNever;     // s, since when it has been steady
-    double renewed = kNever;   // s
-    double asMember = kNever;  // s, when it was last heard with a say
+    std::int64_t newestHeartbeat = 0;  // its sequence number
+    double since = kNever;             // s, since when it has been steady
+    double renewed = kNever;           // s
+    double asMember = kNever;          // s, when it was last heard with a say
   };
   Heard* find(const Incarnation& who);
   const Heard* find(const Incarnation& who) const;
