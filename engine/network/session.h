@@ -127,7 +127,8 @@ class Session {
   void enter(World& world, const Generation& generation, Times now);
   void followGroup(World& world, Times now);
   bool knowsAllWells(const World& world, Times now) const;
-  bool isSynchronised(const World& world, Times now);
+  bool isSynchronised(World& world, Times now);
+  void forgetOwners(World& world, Times now);
   bool isLowest(Times now) const;
   double turnToGoOn(Times now) const;
   void activate(World& world, Times now);
@@ -209,6 +210,7 @@ class Session {
   std::optional<double> lastLoop_;  // s, when our loop was last seen alive
   double lastActiveHeard_ = 0;      // s, while syncing
   double completeSince_ = 0;        // s; since when nothing but agreement is missing, while syncing
+  bool hasForgotten_ = false;       // what nobody else seems to know, while syncing
   bool knowsSettings_ = false;      // as an active peer knows them; while syncing
   std::int64_t observedStep_ = -1;  // of the view that was kept last
   double stepTime_ = 0;             // s that a step lately took

@@ -79,6 +79,7 @@ void Session::enter(World& world, const Generation& generation, Times now) {
   shared_.clear();
   knowsSettings_ = false;
   completeSince_ = now.monotonic;
+  hasForgotten_ = false;
   removeTracks(world.tracks, [](const WellTrack&) { return true; });
   world.step = 0;
   lastActiveHeard_ = now.monotonic;
@@ -120,7 +121,7 @@ double Session::turnToGoOn(Times now) const {
   return options_.lease * static_cast<double>(2 + before);
 }
 
-bool Session::isSynchronised(const World& world, Times now) {
+bool Session::isSynchronised(World& world, Times now) {
   std::vector<Incarnation> active;
   for (const Peer* other : peers_.livingActive(now.monotonic)) active.push_back(other->who);
   if (active.empty() || !knowsSettings_ || !knowsAllWells(world, now) || !balls_.knowsAllOwners()) {
@@ -131,11 +132,23 @@ bool Session::isSynchronised(const World& world, Times now) {
   constexpr double kRounds = 3;
   const double round = kRounds * digestRound();
   if (balls_.gathering().agrees(active, now.monotonic - options_.lease - round)) return true;
-  // We may be the only one to know something: its owner was heard by nobody else and is gone. Only
-  // an active peer can tell the others, or adopt the ball.
-  if (now.monotonic - completeSince_ <= 2 * options_.lease + round) return false;
-  note("knows of owners that the others do not know, and takes part nevertheless");
-  return true;
+  if (now.monotonic - completeSince_ <= options_.lease + round) return false;
+  if (hasForgotten_) {
+    note("knows other owners than the others do, and takes part nevertheless");
+    return true;
+  }
+  // We may be the only one to know something, because its owner was heard by nobody else and is
+  // gone. Then it never happened.
+  hasForgotten_ = true;
+  takeIncarnation(peer(), now);
+  forgetOwners(world, now);
+  return false;
+}
+
+void Session::forgetOwners(World& world, Times now) {
+  balls_.forget(world, generation_);
+  knowsSettings_ = false;
+  completeSince_ = now.monotonic;
 }
 
 bool Session::isLowest(Times now) const {
@@ -250,9 +263,8 @@ void Session::fence(World& world, PeerId newId, Times now) {
   if (newId != peer() && phase_ == Phase::Active) switchOff(world.tracks, peer(), world.step);
   takeIncarnation(newId, now);
   if (peers_.heardMemberSince(lastLoop - options_.lease)) {
-    balls_.forget(world, generation_);
-    knowsSettings_ = false;
-    completeSince_ = now.monotonic;
+    forgetOwners(world, now);
+    hasForgotten_ = false;
     lastActiveHeard_ = now.monotonic;
     phase_ = Phase::Syncing;
     return;
