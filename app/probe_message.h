@@ -10,7 +10,6 @@
 
 namespace wells {
 
-inline constexpr std::string_view kProbeChannel = "WELLS_PROBE";
 inline constexpr std::size_t kMaxHostName = 60;  // bytes
 inline constexpr int kMaxEchoesInMessage = 24;
 

@@ -41,6 +41,9 @@ inline constexpr std::size_t kMaxSettingKey = 40;     // bytes
 inline constexpr std::size_t kMaxSettingValue = 120;  // bytes
 inline constexpr std::size_t kMaxSettingAuthor = 60;  // bytes
 
+/// Of programs that look whether multicast passes; sessions ignore it.
+inline constexpr std::string_view kProbeChannel = "WELLS_PROBE";
+
 /// The channel that a type is published on.
 std::string_view channelOf(const gravity_wells::heartbeat_t&);
 std::string_view channelOf(const gravity_wells::wells_t&);
