@@ -13,6 +13,9 @@ namespace {
 // A state that is older is taken as if it were only so old: SharedBalls::kMaxPredicted.
 constexpr std::int64_t kMaxPredicted = 300;  // steps
 
+// Leases that who founds must have listened for, on a clock that may run slow.
+constexpr double kListening = 1.99;
+
 bool areEqual(const BallState& a, const BallState& b) {
   return a.position == b.position && a.velocity == b.velocity && a.spin == b.spin;
 }
@@ -57,6 +60,11 @@ void Invariants::tell(std::size_t ball, const Version& version, const BallState&
 }
 
 void Invariants::checkChange(const Process& process, const PeerView& peer, double now) {
+  const bool hasFounded = !process.generation.exists() && peer.phase == Phase::Active;
+  if (hasFounded && now - *process.born < kListening * lease_)
+    report(Invariant::FoundersListen, now,
+           fmt::format("{} founds a session {:.2f} s after its start", describe(peer.self),
+                       now - *process.born));
   if (process.phase != Phase::Active) return;
   if (peer.generation != process.generation && !goesBefore(peer.generation, process.generation))
     report(Invariant::OlderLasts, now,
@@ -107,9 +115,9 @@ void Invariants::observe(const PeerView& peer, double now,
                            peer.roles[i] == Role::Owned ? "owned" : "a ghost", name(peer.phase),
                            describe(peer.records[i])));
   }
-  if (!peer.generation.exists()) return;
-
   Process& process = processes_[peer.process];
+  if (!process.born) process.born = now;
+  if (!peer.generation.exists()) return;
   checkChange(process, peer, now);
   process.phase = peer.phase;
   process.seen = now;

@@ -32,13 +32,15 @@ enum class Invariant : std::uint8_t {
   StatesFit,         // a ghost is where the state of its very version leads
   SilentGiveUp,      // who stood still for a lease is not the one it was
   OlderLasts,        // an active peer changes only to a session reset more often or founded earlier
+  FoundersListen,    // for two leases before they found a session
   WellsAgree,        // settled: equal wells, none of who is gone; joiners know the others'
 };
 
-inline constexpr std::array<std::string_view, 15> kInvariantNames = {
+inline constexpr std::array<std::string_view, 16> kInvariantNames = {
     "one owner ever",  "versions rise",      "complete",       "roles match", "one acts as owner",
     "nobody for long", "living keep theirs", "joiners know",   "heals",       "all return",
-    "agree",           "states fit",         "silent give up", "older lasts", "wells agree"};
+    "agree",           "states fit",         "silent give up", "older lasts", "founders listen",
+    "wells agree"};
 
 constexpr std::string_view name(Invariant invariant) {
   return kInvariantNames.at(static_cast<std::size_t>(invariant));
@@ -122,7 +124,8 @@ class Invariants {
   struct Process {
     Incarnation self{};
     Phase phase = Phase::Joining;
-    double seen = 0;              // s
+    std::optional<double> born;   // s, when it was seen first ...
+    double seen = 0;              // ... and last
     std::vector<Course> courses;  // by ball
     Generation generation{};
     std::vector<Record> records;
