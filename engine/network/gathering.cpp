@@ -32,12 +32,13 @@ void Gathering::hear(std::size_t ball, std::int64_t step, double now) {
 void Gathering::compare(std::span<const Record> records, const Incarnation& peer,
                         std::size_t bucket, const BucketDigest& theirs, double recently,
                         double now) {
+  auto& times = agreedAt_.try_emplace(peer, bucketCount(records.size()), kNever).first->second;
+  times[bucket] = kNever;  // what the peer has said before no longer counts
   if (digestSum(records, bucket, theirs.known) != theirs.sum) return;
   const std::size_t first = bucket * kBallsInBucket;
   const std::size_t end = std::min(first + kBallsInBucket, records.size());
   for (std::size_t ball = first; ball < end; ++ball)
     if (!theirs.known[ball - first] && heardAt_[ball] < recently) return;
-  auto& times = agreedAt_.try_emplace(peer, bucketCount(records.size()), kNever).first->second;
   times[bucket] = now;
 }
 

@@ -20,12 +20,11 @@ bool isMember(const Peer& peer, const Generation& generation) {
 
 }  // namespace
 
-void Peers::setGeneration(const Generation& generation, double now) {
+void Peers::setGeneration(const Generation& generation) {
   generation_ = generation;
   leases_.clear();
   for (const auto& [number, peer] : peers_)
-    if (isMember(peer, generation_) && now - peer.heardAt < peer.lease)
-      leases_.expect(peer.who, peer.lease, peer.heardAt);
+    if (isMember(peer, generation_)) leases_.expect(peer.who, peer.lease, peer.heardAt);
 }
 
 std::optional<Drop> Peers::checkClock(const gravity_wells::peer_header_t& header, Times now) const {

@@ -62,8 +62,9 @@ class Peers {
   Peers(std::int64_t worldHash, double clockTolerance)
       : worldHash_(worldHash), clockTolerance_(clockTolerance) {}
 
-  /// The generation whose members have leases with us. The leases of those known begin now.
-  void setGeneration(const Generation& generation, double now);
+  /// The generation whose members have leases with us. The leases of those known began when they
+  /// were heard last.
+  void setGeneration(const Generation& generation);
 
   /// Learns from a heartbeat. The reason if the rest of the session must not heed it; a peer in
   /// another generation or world is entered in the table nevertheless.

@@ -54,7 +54,7 @@ void Session::found(World& world, std::int64_t resets, Times now) {
   generation_ = {.resets = resets,
                  .foundedUs = now.wallUs,
                  .nonce = static_cast<std::int64_t>(random_.bits() >> 1)};
-  peers_.setGeneration(generation_, now.monotonic);
+  peers_.setGeneration(generation_);
   world.step = 0;
   balls_.found(world, generation_, self_, now.monotonic);
   removeTracks(world.tracks, [](const WellTrack&) { return true; });
@@ -74,7 +74,7 @@ void Session::enter(World& world, const Generation& generation, Times now) {
                                   : "joins a session that was founded earlier than this one");
   }
   generation_ = generation;
-  peers_.setGeneration(generation, now.monotonic);
+  peers_.setGeneration(generation);
   balls_.enter(world, generation);
   shared_.clear();
   knowsSettings_ = false;

@@ -77,8 +77,7 @@ void Session::hearDigests(const Peer& other, const gravity_wells::heartbeat_t& m
   const bool theirsCount = other.phase == Phase::Active;
   const bool sameSettings = m.settings_digest == std::bit_cast<std::int64_t>(shared_.digest());
   if (phase_ == Phase::Syncing && theirsCount && sameSettings) knowsSettings_ = true;
-  if (phase_ == Phase::Active && !sameSettings)
-    nextSettings_ = std::min(nextSettings_, now.monotonic + kSettingsPatience);
+  if (!sameSettings) nextSettings_ = std::min(nextSettings_, now.monotonic + kSettingsPatience);
   for (std::int32_t i = 0; i < m.buckets; ++i) {
     const auto bucket = static_cast<std::size_t>(m.first_bucket + i);
     const BucketDigest theirs = digestOf(m.digests[static_cast<std::size_t>(i)]);
@@ -207,7 +206,8 @@ void Session::noteClock(const gravity_wells::peer_header_t& header, Times now) {
 }
 
 std::optional<Drop> Session::hear(World& world, const gravity_wells::settings_t& m, Times now) {
-  if (const auto drop = checkMember(m.header, now)) return drop;
+  // One who syncs may be the only one left that knows them.
+  if (const auto drop = checkMember(m.header, now); drop && drop != Drop::NotActive) return drop;
   return learn(world, m.known, now);
 }
 

@@ -38,6 +38,8 @@ void Session::publish(World& world, Times now) {
   const double t = now.monotonic;
   if (isDue(nextHeartbeat_, 1 / options_.heartbeatRate, t)) sendHeartbeat(world, now);
   if (isDue(nextConfig_, 1, t)) sendConfig(world, now);
+  if (phase_ == Phase::Syncing && isDue(nextSettings_, kSettingsInterval, t))
+    sendSettings(world, now);
   if (phase_ != Phase::Active) return;
   // First what somebody waits for: a receiver with a full buffer hears the beginning only.
   sendOffers(world, now);

@@ -286,7 +286,7 @@ class PeersTest : public testing::Test {
     return m;
   }
   static Times at(double t) { return {t, 1'000'000'000 + static_cast<std::int64_t>(t * 1e6)}; }
-  PeersTest() { peers_.setGeneration({0, 500, 5}, 0); }
+  PeersTest() { peers_.setGeneration({0, 500, 5}); }
 
   std::int64_t sequence_ = 0, step_ = 0;
   Peers peers_{42, 30};

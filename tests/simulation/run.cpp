@@ -50,6 +50,7 @@ void Run::run() {
   while (!isOver()) {
     advanceTo(nextTime());
     if (!isHealed_ && now_ >= schedule_.heal) heal();
+    if (isHealed_) endPause();
     if (!isStopped_ && now_ >= schedule_.stop) stopWhenSeenEnough();
     endFaults();
     beginFaults();
@@ -123,13 +124,23 @@ void Run::heal() {
   waiting_.clear();
   comebacks_.clear();
   for (const Fault& fault : std::exchange(lasting_, {})) restore(fault);
-  ask(setting::kPause, "false");
   for (const auto& process : processes_) {
     process->next = std::min(process->next, now_);
     process->stallsMidTick = false;
     process->doom.reset();
     process->offered.reset();
   }
+}
+
+// Asked for again and again: who has just come back, or joins, hears nothing of it.
+void Run::endPause() {
+  constexpr double kInterval = 1;  // s
+  if (now_ < nextEndOfPause_) return;
+  nextEndOfPause_ = now_ + kInterval;
+  const bool anyPaused = std::ranges::any_of(processes_, [](const auto& process) {
+    return isPaused(process->session().settings(), process->world().step);
+  });
+  if (anyPaused) ask(setting::kPause, "false");
 }
 
 // Where too many were gone for too long, the run goes on until it has shown something.

@@ -28,6 +28,7 @@ class Run {
   void endFaults();
   void heal();
   void stopWhenSeenEnough();
+  void endPause();
   void stop();
   void tick(Process& process);
   void receive(Process& process);
@@ -86,7 +87,8 @@ class Run {
   bool isForged_ = false;               // some messages are not honest
   bool isHealed_ = false;
   static constexpr int kMostExtensions = 20;
-  int extensions_ = 0;  // of the run
+  double nextEndOfPause_ = 0;  // s
+  int extensions_ = 0;         // of the run
   bool isStopped_ = false;
   bool isSettled_ = false;
 };
