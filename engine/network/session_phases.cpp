@@ -131,7 +131,7 @@ bool Session::isSynchronised(World& world, Times now) {
   // The digests of many balls take turns; each has a few chances to be heard.
   constexpr double kRounds = 3;
   const double round = kRounds * digestRound();
-  if (balls_.gathering().agrees(active, now.monotonic - options_.lease - round)) return true;
+  if (balls_.gathering().agrees(active, now.monotonic - options_.lease / 2 - round)) return true;
   if (now.monotonic - completeSince_ <= options_.lease + round) return false;
   if (hasForgotten_) {
     note("knows other owners than the others do, and takes part nevertheless");
