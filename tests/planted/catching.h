@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "planted/defects.h"
+
 namespace wells::planted {
 
 struct Catch {
@@ -12,18 +14,17 @@ struct Catch {
   std::string what;     // ... and how
 };
 
-/// The number of no defect.
-inline constexpr int kNone = 0;
+enum class Planting : std::uint8_t { On, Off };
 
-/// One simulated session of this seed with a defect.
-std::optional<Catch> simulate(int defect, std::uint64_t seed);
+/// One simulated session of this seed, with the faults of the defect; Off: as if it were not there.
+std::optional<Catch> simulate(const Defect& defect, std::uint64_t seed, Planting planting);
 
 struct Searched {
-  std::uint64_t states = 0;
+  std::uint64_t states = 0;  // looked at
   std::optional<Catch> caught;
 };
 
 /// Searches all interleavings with a defect in ownership/, within limits that take a second.
-Searched search(int defect);
+Searched search(const Defect& defect);
 
 }  // namespace wells::planted

@@ -4,7 +4,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <map>
 
 #include "planted/catching.h"
 #include "planted/defects.h"
@@ -13,7 +12,8 @@ namespace wells::planted {
 namespace {
 
 struct Options {
-  std::uint64_t seeds = 3000;
+  std::uint64_t seeds = 1000;
+  std::uint64_t control = 1000;
   std::vector<std::string> only;
 };
 
@@ -23,21 +23,15 @@ void print(std::string_view defect, std::string_view file, std::string_view caug
   std::fflush(stdout);
 }
 
-/// A seed that breaks a promise without any defect tells nothing about one.
-bool failsAnyway(std::uint64_t seed) {
-  static std::map<std::uint64_t, bool> known;
-  const auto [entry, isNew] = known.try_emplace(seed);
-  if (isNew) entry->second = simulate(kNone, seed).has_value();
-  return entry->second;
-}
-
 void printControl(const Options& options) {
   std::uint64_t violations = 0;
-  for (std::uint64_t seed = 1; seed <= options.seeds; ++seed) violations += failsAnyway(seed);
-  const Searched searched = search(kNone);
+  for (std::uint64_t seed = 1; seed <= options.control; ++seed)
+    if (simulate({}, seed, Planting::On)) ++violations;
+  const Searched searched = search({});
+  if (searched.caught) ++violations;
   print("none", "",
-        fmt::format("{} violations in {} seeds and {} states", violations + !!searched.caught,
-                    options.seeds, searched.states),
+        fmt::format("{} violations in {} seeds and {} states", violations, options.control,
+                    searched.states),
         "-", "-");
 }
 
@@ -45,13 +39,14 @@ void printControl(const Options& options) {
 bool printRow(const Defect& defect, const Options& options) {
   std::string caughtBy, seeds = "-", states = "-";
   for (std::uint64_t seed = 1; seed <= options.seeds && caughtBy.empty(); ++seed) {
-    const auto caught = simulate(defect.number, seed);
-    if (!caught || failsAnyway(seed)) continue;
+    const auto caught = simulate(defect, seed, Planting::On);
+    // What breaks a promise without the defect, too, tells nothing about it.
+    if (!caught || simulate(defect, seed, Planting::Off)) continue;
     caughtBy = caught->promise;
     seeds = fmt::format("{}", seed);
   }
   if (defect.file.starts_with("ownership/")) {
-    if (const Searched searched = search(defect.number); searched.caught) {
+    if (const Searched searched = search(defect); searched.caught) {
       caughtBy += fmt::format("{}{}", caughtBy.empty() ? "" : "; ", searched.caught->promise);
       states = fmt::format("{}", searched.states);
     }
@@ -81,6 +76,7 @@ int main(int argc, char** argv) {
       "Exit status 1: one survived.");
   app.option_defaults()->always_capture_default();
   app.add_option("--seeds", options.seeds, "seeds to simulate, at most, for each");
+  app.add_option("--control", options.control, "seeds to simulate without a defect");
   app.add_option("--only", options.only, "names of defects");
   CLI11_PARSE(app, argc, argv);
   return run(options) ? 0 : 1;

@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import NamedTuple, NoReturn
 
 KEYS = ("name", "what", "file", "original", "defect")
+OPTIONAL = ("faults",)
 HEADER = '#include "planted/choice.h"\n'
 
 
@@ -30,6 +31,7 @@ class Defect(NamedTuple):
     file: str
     original: str
     defect: str
+    faults: str = ""
 
 
 class Trouble(Exception):
@@ -71,8 +73,8 @@ def read_table(table: Path) -> list[Defect]:
             fields[last] += "\n" + text.strip()
             continue
         key, colon, value = text.partition(":")
-        if not colon or key not in KEYS:
-            fail(table, line, f"'{key}' is not one of {', '.join(KEYS)}")
+        if not colon or key not in KEYS + OPTIONAL:
+            fail(table, line, f"'{key}' is not one of {', '.join(KEYS + OPTIONAL)}")
         if key in fields:
             fail(table, line, f"another {key}; defects are parted by an empty line")
         begin = begin if fields else line
@@ -166,7 +168,8 @@ def main() -> None:
             troubles.append(str(trouble))
     if troubles:
         sys.exit("\n".join(troubles))
-    rows = (f"{{{d.number}, {quoted(d.name)}, {quoted(d.what)}, {quoted(d.file)}}},\n"
+    rows = (f"{{{d.number}, {quoted(d.name)}, {quoted(d.what)}, {quoted(d.file)}, "
+            f"{quoted(d.faults)}}},\n"
             for d in defects)
     write(output / "defects.inc", "".join(rows))
 

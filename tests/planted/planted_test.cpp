@@ -40,14 +40,14 @@ std::optional<std::uint64_t> knownSeed(std::string_view defect) {
 
 /// A seed that breaks a promise with the defect, and none without it.
 bool isCaughtAt(const Defect& defect, std::uint64_t seed) {
-  return simulate(defect.number, seed) && !simulate(kNone, seed);
+  return simulate(defect, seed, Planting::On) && !simulate(defect, seed, Planting::Off);
 }
 
 class Planted : public testing::TestWithParam<Defect> {};
 
 TEST_P(Planted, IsCaught) {
   const Defect& defect = GetParam();
-  if (defect.file.starts_with("ownership/") && search(defect.number).caught) return;
+  if (defect.file.starts_with("ownership/") && search(defect).caught) return;
   const auto seed = knownSeed(defect.name);
   if (seed && isCaughtAt(defect, *seed)) return;
   for (std::uint64_t other = 1; other <= kFirstSeeds; ++other)
@@ -69,10 +69,10 @@ INSTANTIATE_TEST_SUITE_P(Defects, Planted, testing::ValuesIn(defects().begin(), 
 
 TEST(PlantedNone, BreaksNoPromise) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
-    const auto caught = simulate(kNone, seed);
+    const auto caught = simulate({}, seed, Planting::On);
     EXPECT_FALSE(caught) << "seed " << seed << ": " << caught->what;
   }
-  EXPECT_FALSE(search(kNone).caught);
+  EXPECT_FALSE(search({}).caught);
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 
 namespace wells::planted {
 
-Searched search(int defect) {
-  choice = defect;
+Searched search(const Defect& defect) {
+  choice = defect.number;
   const Limits limits{.peers = 3,
                       .balls = 1,
                       .epochs = 2,
@@ -16,7 +16,7 @@ Searched search(int defect) {
                       .fences = 0,
                       .foundings = 1};
   const Result result = Search(limits, {}).run();
-  choice = kNone;
+  choice = 0;
   Searched searched{result.progress.states, std::nullopt};
   if (result.outcome == Outcome::Violated) searched.caught = {result.violation, result.trace};
   return searched;
