@@ -76,6 +76,19 @@ void Invariants::checkChange(const Process& process, const PeerView& peer, doubl
                        now - process.seen));
 }
 
+void Invariants::checkSettings(Process& process, const PeerView& peer, double now) {
+  if (!peer.registers) return;
+  for (const auto& [key, value] : *peer.registers) {
+    auto& known = process.settings[key];
+    const std::pair version{value.version, value.setter};
+    if (version < known)
+      report(Invariant::VersionsRise, now,
+             fmt::format("{}: {} goes from version {} back to {}", describe(peer.self), key,
+                         known.first, version.first));
+    known = version;
+  }
+}
+
 void Invariants::checkGhosts(Process& process, const PeerView& peer, double now) {
   if (peer.phase != Phase::Active) return;
   static const World kAnyWorld;  // toyPredict takes one
@@ -130,9 +143,11 @@ void Invariants::observe(const PeerView& peer, double now,
     process.generation = peer.generation;
     process.records.assign(peer.records.begin(), peer.records.end());
     process.history.assign(balls_, {});
+    process.settings.clear();
     for (std::size_t i = 0; i < balls_; ++i) learn(process, peer, i, now);
     return;
   }
+  checkSettings(process, peer, now);
   for (std::size_t i = 0; i < balls_; ++i) {
     const Record& before = process.records[i];
     const Record& after = peer.records[i];

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "network/peers.h"
+#include "network/shared_settings.h"
 #include "ownership/records.h"
 #include "state/world.h"
 
@@ -19,7 +20,7 @@ namespace wells::simulation {
 
 enum class Invariant : std::uint8_t {
   OneOwnerEver,      // (ball, generation, term, adopter, its incarnation, epoch) has one owner ever
-  VersionsRise,      // at a running incarnation, within a generation
+  VersionsRise,      // at a running incarnation, within a generation; of settings, too
   Complete,          // every ball in every record set, nothing that is not a number
   RolesMatch,        // a ball is owned in the world exactly where the record says so
   OneActsAsOwner,    // among peers that heard each other for two leases: one, or one is named
@@ -65,6 +66,7 @@ struct PeerView {
   std::span<const Role> roles;
   const Balls* balls = nullptr;
   std::uint64_t settings = 0;  // digest of the shared settings that it knows
+  const SharedSettings::Registers* registers = nullptr;
   const std::vector<WellTrack>* tracks = nullptr;
 
   bool owns(std::size_t ball) const {
@@ -127,6 +129,7 @@ class Invariants {
     std::optional<double> born;   // s, when it was seen first ...
     double seen = 0;              // ... and last
     std::vector<Course> courses;  // by ball
+    std::map<std::string, std::pair<std::int64_t, std::int64_t>> settings;  // version and setter
     Generation generation{};
     std::vector<Record> records;
     std::vector<std::vector<Known>> history;  // by ball; the last second and one before
@@ -139,6 +142,7 @@ class Invariants {
   bool areAll(std::size_t ball, const Version& from, const Version& to,
               const std::function<bool(const Incarnation&)>& heard) const;
   void checkChange(const Process& process, const PeerView& peer, double now);
+  void checkSettings(Process& process, const PeerView& peer, double now);
   void checkGhosts(Process& process, const PeerView& peer, double now);
   void learn(Process& process, const PeerView& peer, std::size_t ball, double now);
   Version knownFor(int process, std::size_t ball, double seconds, double now) const;

@@ -97,6 +97,8 @@ PeerView Process::view() const {
           .records = session_->records(),
           .roles = world_.roles,
           .balls = &world_.balls,
+          .settings = session_->settings().digest(),
+          .registers = &session_->settings().registers(),
           .tracks = &world_.tracks};
 }
 
