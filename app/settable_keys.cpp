@@ -31,8 +31,7 @@ std::vector<SettableKey> makeKeys() {
   using std::string;
   return {
       {string(setting::kPause), "true or false", "the world stands still, for all peers", "false"},
-      {string(setting::kSimulationRate), "10 to 10000 Hz", "steps in a wall second",
-       kAsConfigured},
+      {string(setting::kSimulationRate), "10 to 10000 Hz", "steps in a wall second", kAsConfigured},
       {string(setting::kNetworkRate), configAllowed(setting::kNetworkRate),
        "how often each peer sends what is due", kAsConfigured},
       {string(setting::kGravity), "on, off or reversed", "compared with the world's own", "on"},

@@ -54,6 +54,12 @@ struct Knowledge {
 /// One and two know that one owns both balls.
 struct InvariantsTest : testing::Test {
   InvariantsTest() {
+    for (const Knowledge* peer : {&one, &two}) {
+      PeerView listening = peer->view();
+      listening.phase = Phase::Joining;
+      listening.generation = {};
+      invariants.observe(listening, now - 2 * kLease, nobody);
+    }
     for (Knowledge* peer : {&one, &two})
       for (std::size_t i = 0; i < kBalls; ++i) peer->know(i, kOne, 0);
     observe();
