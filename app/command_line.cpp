@@ -98,6 +98,19 @@ void addInteger(CLI::App& app, const std::string& name, std::int64_t& target, st
       ->type_name("COUNT");
 }
 
+void addSeconds(CLI::App& app, const std::string& name, double& target, double low, double high,
+                const std::string& help) {
+  app.add_option_function<std::string>(
+         name,
+         [&target, name, range = Range::between(low, high)](const std::string& value) {
+           parseOption(name, value, fmt::format("a number {}, in s", range.text()),
+                       [&] { target = parseNumber(value, range); });
+         },
+         help)
+      ->type_name("s")
+      ->default_str(fmt::format("{}", target));
+}
+
 void addName(CLI::App& app, const std::string& name, std::string& target, const std::string& help,
              void (*check)(std::string_view)) {
   app.add_option_function<std::string>(

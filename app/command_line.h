@@ -25,6 +25,10 @@ void parseOption(std::string_view name, std::string_view value, std::string_view
 void addInteger(CLI::App& app, const std::string& name, std::int64_t& target, std::int64_t low,
                 std::int64_t high, const std::string& help);
 
+/// Adds --name S, a time low .. high, in s; `target` holds its default.
+void addSeconds(CLI::App& app, const std::string& name, double& target, double low, double high,
+                const std::string& help);
+
 /// Adds --name NAME, where `check` throws std::invalid_argument for a value that is not allowed.
 void addName(CLI::App& app, const std::string& name, std::string& target, const std::string& help,
              void (*check)(std::string_view));

@@ -15,7 +15,6 @@
 #include "progress.h"
 #include "random_number.h"
 #include "session_url.h"
-#include "values.h"
 
 namespace wells {
 namespace {
@@ -38,16 +37,7 @@ std::optional<PeersOptions> parse(std::span<const std::string> arguments) {
       "hears us; 1: nobody.",
       "gravity-wells peers");
   addSessionUrl(app, options.url);
-  app.add_option_function<std::string>(
-         "--seconds",
-         [&](const std::string& value) {
-           const Range range = Range::between(1, 3600);
-           parseOption("--seconds", value, fmt::format("a number {}, in s", range.text()),
-                       [&] { options.seconds = parseNumber(value, range); });
-         },
-         "how long to listen")
-      ->type_name("s")
-      ->default_str("5");
+  addSeconds(app, "--seconds", options.seconds, 1, 3600, "how long to listen");
   if (parseArguments(app, arguments) == Parsed::HelpShown) return std::nullopt;
   return options;
 }

@@ -18,7 +18,6 @@
 #include "network/lcm_transport.h"
 #include "session_url.h"
 #include "spy_table.h"
-#include "values.h"
 
 namespace wells {
 namespace {
@@ -85,16 +84,7 @@ std::optional<SpyOptions> parse(std::span<const std::string> arguments) {
       "gravity-wells spy --text");
   app.add_flag("--text", options.text, "as text; the windows of lcm-spy come by ./run.sh spy");
   addSessionUrl(app, options.url);
-  app.add_option_function<std::string>(
-         "--interval",
-         [&](const std::string& value) {
-           const Range range = Range::between(0.1, 3600);
-           parseOption("--interval", value, fmt::format("a number {}, in s", range.text()),
-                       [&] { options.interval = parseNumber(value, range); });
-         },
-         "between two tables")
-      ->type_name("s")
-      ->default_str("1");
+  addSeconds(app, "--interval", options.interval, 0.1, 3600, "between two tables");
   addInteger(app, "--count", options.tables, 1, 1'000'000'000, "tables after which to end");
   if (parseArguments(app, arguments) == Parsed::HelpShown) return std::nullopt;
   if (!options.text)

@@ -127,7 +127,8 @@ class Session {
   void enter(World& world, const Generation& generation, Times now);
   void followGroup(World& world, Times now);
   bool knowsAllWells(const World& world, Times now) const;
-  bool isSynchronised(World& world, Times now);
+  /// True when this peer may take part; where that fails for too long it forgets what it knows.
+  bool trySynchronise(World& world, Times now);
   void forgetOwners(World& world, Times now);
   bool isLowest(Times now) const;
   double turnToGoOn(Times now) const;

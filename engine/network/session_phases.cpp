@@ -101,7 +101,7 @@ void Session::synchronise(World& world, Times now) {
     enter(world, lesser, now);
     return;
   }
-  if (isSynchronised(world, now)) {
+  if (trySynchronise(world, now)) {
     activate(world, now);
   } else if (now.monotonic - lastActiveHeard_ > turnToGoOn(now)) {
     note("everybody else is gone; goes on with " + std::to_string(records().size()) +
@@ -121,7 +121,7 @@ double Session::turnToGoOn(Times now) const {
   return options_.lease * static_cast<double>(2 + before);
 }
 
-bool Session::isSynchronised(World& world, Times now) {
+bool Session::trySynchronise(World& world, Times now) {
   std::vector<Incarnation> active;
   for (const Peer* other : peers_.livingActive(now.monotonic)) active.push_back(other->who);
   if (active.empty() || !knowsSettings_ || !knowsAllWells(world, now) || !balls_.knowsAllOwners()) {
