@@ -111,8 +111,9 @@ class SessionRun {
     const bool stopped = begun_ && setup_.world.step >= setup_.options.steps;
     if (!stopped) return false;
     if (!stoppedAt_) stoppedAt_ = now;
-    const double lease = setup_.options.config.lease;
-    return (ended_ && now >= *ended_ + lease / 2) || now >= *stoppedAt_ + 2 * lease;
+    // Who leaves gives up its balls, which would change the results of those that are not settled.
+    const bool isDone = ended_ && session_.areOthersSettled(readClocks());
+    return isDone || now >= *stoppedAt_ + 2 * setup_.options.config.lease;
   }
 
   void show(WhenBusy whenBusy) {

@@ -51,7 +51,7 @@ std::optional<Drop> MessageWalk::end() const {
 }
 
 void walkHeartbeat(MessageWalk& walk) {
-  walk.skip(kFrontBytes + 8 + 8 + 4 + 1 + 4 + 4 + 8 + 4);
+  walk.skip(kFrontBytes + 8 + 8 + 4 + 1 + 1 + 4 + 4 + 8 + 4);
   walkElements(walk, 0, kMaxBucketsInMessage, kBucketBytes);
 }
 

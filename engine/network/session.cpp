@@ -129,6 +129,10 @@ bool Session::isSettled(const World& world) const {
   return phase_ == Phase::Active && isStopped(world) && balls_.isSettled(world);
 }
 
+bool Session::areOthersSettled(Times now) const {
+  return std::ranges::all_of(peers_.livingActive(now.monotonic), &Peer::settled);
+}
+
 std::vector<std::pair<PeerId, std::size_t>> Session::ballsOwned() const {
   std::map<PeerId, std::size_t> owned;
   for (const Record& record : records()) ++owned[record.version.owner.peer];

@@ -96,6 +96,9 @@ class Session {
   /// bit.
   bool isSettled(const World& world) const;
 
+  /// True when every other active peer whose lease lasts has said that it is settled.
+  bool areOthersSettled(Times now) const;
+
   /// Records by ball. Empty of meaning until the session is active.
   const std::vector<Record>& records() const { return balls_.records(); }
 

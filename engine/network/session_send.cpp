@@ -90,6 +90,7 @@ void Session::sendHeartbeat(const World& world, Times now) {
   m.world_hash = options_.worldHash;
   m.phase = static_cast<std::int32_t>(phase_);
   m.paused = standsStill(world);
+  m.settled = isSettled(world);
   m.lease_ms = static_cast<std::int32_t>(std::lround(options_.lease * 1000));
   m.balls_owned = static_cast<std::int32_t>(ballsOwnedHere());
   m.settings_digest = std::bit_cast<std::int64_t>(shared_.digest());

@@ -24,7 +24,7 @@ parser.add_argument("--results", type=pathlib.Path, help="file for the table")
 
 
 class LateAndLossyNetwork(scenario.Scenario):
-    LEASE = 3.0  # s; a peer stays for half of it when it has all states, for those who lost some
+    LEASE = 2.0  # s; whoever has lost states has two of them to settle
 
     def plug_in(self):
         self.relay = scenario.Helper("relay.py", options.delay, options.spread, 1, *self.HOSTS)

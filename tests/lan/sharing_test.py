@@ -21,7 +21,7 @@ class GoodNetwork(scenario.Scenario):
 
 
 class LossyNetwork(scenario.Scenario):
-    LEASE = 3.0  # s; a peer stays for half of it when it has all states, for those who lost some
+    LEASE = 2.0  # s; whoever has lost states has two of them to settle
 
     def test_nothing_breaks_when_a_fifth_of_all_datagrams_is_lost(self):
         self.use_filter()

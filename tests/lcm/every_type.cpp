@@ -75,8 +75,8 @@ std::vector<std::uint8_t> encodeHeartbeat() {
   heartbeat_t m{};
   m.buckets = 2;
   m.digests.resize(2);
-  Numbers().fill(m.header, m.started, m.world_hash, m.phase, m.paused, m.lease_ms, m.balls_owned,
-                 m.settings_digest, m.first_bucket, m.digests);
+  Numbers().fill(m.header, m.started, m.world_hash, m.phase, m.paused, m.settled, m.lease_ms,
+                 m.balls_owned, m.settings_digest, m.first_bucket, m.digests);
   return encode(m);
 }
 

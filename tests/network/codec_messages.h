@@ -37,6 +37,7 @@ inline gravity_wells::heartbeat_t goodHeartbeat(int buckets = 0) {
   m.world_hash = -9;
   m.phase = gravity_wells::heartbeat_t::ACTIVE;
   m.paused = 0;
+  m.settled = 0;
   m.lease_ms = 2000;
   m.balls_owned = 7;
   m.settings_digest = 5;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <map>
 
 #include "network/session_recorder.h"
 
@@ -38,6 +39,38 @@ TEST(SessionFaults, AnOwnerThatDiesOnABadNetworkLosesNoBall) {
     ASSERT_TRUE(group.settle(15)) << "seed " << seed;
     EXPECT_TRUE(group.everyBallHasOneOwner()) << "seed " << seed;
     group.expectEqualViews();
+  }
+}
+
+TEST(SessionFaults, WhoLeavesWhenAllAreSettledChangesNobodysResults) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    Group group(60, seed, kBadNetwork);
+    for (int id = 1; id <= 4; ++id) group.add(testOptions(id, seed * 100));
+    ASSERT_TRUE(group.runUntil([&] { return group.allActive(); }, 30)) << "seed " << seed;
+    group.run(5);
+    std::int64_t last = 0;
+    for (const auto& peer : group.peers()) last = std::max(last, peer->world.step);
+    for (const auto& peer : group.peers()) peer->session->stopAt(last + 30);
+
+    using Owners = std::vector<std::pair<PeerId, std::size_t>>;
+    std::map<PeerId, Owners> results;  // when each was settled
+    const auto allHaveLeft = [&] {
+      std::vector<TestPeer*> leaving;
+      for (const auto& peer : group.peers()) {
+        if (!peer->session->isSettled(peer->world)) continue;
+        results.emplace(peer->session->peer(), peer->session->ballsOwned());
+        if (peer->session->areOthersSettled(group.timesOf(*peer))) leaving.push_back(peer.get());
+      }
+      for (TestPeer* peer : leaving) {
+        peer->session->leave(peer->world, group.timesOf(*peer));
+        group.kill(*peer);
+      }
+      return group.peers().empty();
+    };
+    EXPECT_TRUE(group.runUntil(allHaveLeft, 10)) << "seed " << seed;
+    ASSERT_EQ(results.size(), 4u) << "seed " << seed;
+    for (const auto& [peer, owners] : results)
+      EXPECT_EQ(owners, results.begin()->second) << "seed " << seed << ", peer " << value(peer);
   }
 }
 
