@@ -10,8 +10,7 @@ constexpr double kNever = -std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-Gathering::Gathering(std::size_t balls)
-    : steps_(balls, -1), heardAt_(balls, kNever), missing_(balls) {}
+Gathering::Gathering(std::size_t balls) : steps_(balls, -1), missing_(balls) {}
 
 void Gathering::restart() {
   *this = Gathering(steps_.size());
@@ -23,23 +22,25 @@ void Gathering::keep(std::int64_t step) {
   missing_ = 0;
 }
 
-void Gathering::hear(std::size_t ball, std::int64_t step, double now) {
+void Gathering::hear(std::size_t ball, std::int64_t step) {
   if (steps_[ball] < 0) --missing_;
   steps_[ball] = step;
-  heardAt_[ball] = now;
 }
 
 void Gathering::compare(std::span<const Record> records, const Incarnation& peer,
-                        std::size_t bucket, const BucketDigest& theirs, double recently,
+                        std::size_t bucket, const BucketDigest& theirs, std::int64_t recent,
                         double now) {
-  auto& times = agreedAt_.try_emplace(peer, bucketCount(records.size()), kNever).first->second;
-  times[bucket] = kNever;  // what the peer has said before no longer counts
-  if (digestSum(records, bucket, theirs.known) != theirs.sum) return;
+  auto& times = agreedAt_.try_emplace(peer, records.size(), kNever).first->second;
+  // Where they differ, what the peer has said before no longer counts.
+  const bool agrees = digestSum(records, bucket, theirs.known) == theirs.sum;
   const std::size_t first = bucket * kBallsInBucket;
   const std::size_t end = std::min(first + kBallsInBucket, records.size());
-  for (std::size_t ball = first; ball < end; ++ball)
-    if (!theirs.known[ball - first] && heardAt_[ball] < recently) return;
-  times[bucket] = now;
+  for (std::size_t ball = first; ball < end; ++ball) {
+    if (!agrees)
+      times[ball] = kNever;
+    else if (theirs.known[ball - first] || steps_[ball] >= recent)
+      times[ball] = now;
+  }
 }
 
 bool Gathering::agrees(std::span<const Incarnation> peers, double time) const {

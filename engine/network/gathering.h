@@ -2,8 +2,8 @@
 // records last agreed with those of each active peer.
 //
 // They agree by digests. A digest counts the balls whose owner the active peer has known for a
-// while; the others are changing hands right then, and for those it is enough to have heard of them
-// lately.
+// while; the others are changing hands right then, and for those it is enough to hold a state of a
+// recent step.
 #pragma once
 
 #include <cstddef>
@@ -27,12 +27,12 @@ class Gathering {
   void keep(std::int64_t step);
 
   /// A state of `step`, or an offer with it, was heard and is held.
-  void hear(std::size_t ball, std::int64_t step, double now);
+  void hear(std::size_t ball, std::int64_t step);
 
-  /// An active peer's digest of `bucket`, held against our records. What was heard since
-  /// `recently` (s) counts as heard lately.
+  /// An active peer's digest of `bucket`, held against our records. A state of the step `recent` or
+  /// a later one is recent.
   void compare(std::span<const Record> records, const Incarnation& peer, std::size_t bucket,
-               const BucketDigest& theirs, double recently, double now);
+               const BucketDigest& theirs, std::int64_t recent, double now);
 
   bool has(std::size_t ball) const { return steps_[ball] >= 0; }
   std::int64_t stepOf(std::size_t ball) const { return steps_[ball]; }
@@ -40,7 +40,7 @@ class Gathering {
   /// Balls of which no state is held.
   std::size_t missing() const { return missing_; }
 
-  /// True when all records agreed with those of each of `peers` since `time` (s).
+  /// True when each record agreed with that of each of `peers` at `time` (s) or later.
   bool agrees(std::span<const Incarnation> peers, double time) const;
 
   /// Of the states that are held; 0: none.
@@ -48,8 +48,7 @@ class Gathering {
 
  private:
   std::vector<std::int64_t> steps_;                      // of the state that is held; -1: none
-  std::vector<double> heardAt_;                          // s
-  std::map<Incarnation, std::vector<double>> agreedAt_;  // s, by bucket
+  std::map<Incarnation, std::vector<double>> agreedAt_;  // s, by ball
   std::size_t missing_ = 0;
 };
 

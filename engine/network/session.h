@@ -134,7 +134,8 @@ class Session {
   bool trySynchronise(World& world, Times now);
   void forgetOwners(World& world, Times now);
   bool isLowest(Times now) const;
-  double turnToGoOn(Times now) const;
+  /// When everybody who was active has gone.
+  bool isItsTurnToGoOn(Times now) const;
   void activate(World& world, Times now);
   void fence(World& world, PeerId peer, Times now);
   void fenceAfterStall(World& world, Times now);
@@ -160,7 +161,8 @@ class Session {
   void giveUpId(World& world, Times now);
   std::optional<Drop> learn(World& world, const std::vector<gravity_wells::setting_t>& settings,
                             Times now);
-  void hearDigests(const Peer& other, const gravity_wells::heartbeat_t& m, Times now);
+  void hearDigests(const World& world, const Peer& other, const gravity_wells::heartbeat_t& m,
+                   Times now);
   void noteForeignWorld(Peer& other, const std::string& canonical);
   void noteClock(const gravity_wells::peer_header_t& header, Times now);
 

@@ -103,7 +103,7 @@ void Session::synchronise(World& world, Times now) {
   }
   if (trySynchronise(world, now)) {
     activate(world, now);
-  } else if (now.monotonic - lastActiveHeard_ > turnToGoOn(now)) {
+  } else if (isItsTurnToGoOn(now)) {
     note("everybody else is gone; goes on with " + std::to_string(records().size()) +
          " balls, of which " + std::to_string(balls_.gathering().missing()) +
          " have not been heard of and are where they were first");
@@ -112,13 +112,13 @@ void Session::synchronise(World& world, Times now) {
   }
 }
 
-double Session::turnToGoOn(Times now) const {
+bool Session::isItsTurnToGoOn(Times now) const {
+  if (now.monotonic - lastActiveHeard_ <= 2 * options_.lease) return false;
   // Of several who sync the one with the lowest id goes on, and the others hear it.
   const auto living = peers_.living(now.monotonic);
-  const auto before = std::ranges::count_if(living, [&](const Peer* other) {
+  return std::ranges::none_of(living, [&](const Peer* other) {
     return other->phase == Phase::Syncing && other->who.peer < peer();
   });
-  return options_.lease * static_cast<double>(2 + before);
 }
 
 bool Session::trySynchronise(World& world, Times now) {

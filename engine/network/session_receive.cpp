@@ -1,6 +1,7 @@
 // What a session does with what it receives. Whatever is refused here changes nothing.
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdlib>
 
 #include "network/message_fields.h"
@@ -20,6 +21,10 @@ constexpr double kClockPatience = 1;  // s
 // s. An owner answers a digest that is not its own no sooner than so long after it last sent a
 // ball.
 constexpr double kAnswerInterval = 0.25;
+
+// s of steps. What changed hands longer ago than an owner takes to be counted in digests, and some
+// more for lost states, is not recent.
+constexpr double kRecent = 0.8;
 
 // s until the shared settings are sent again to somebody who does not know them.
 constexpr double kSettingsPatience = 0.1;
@@ -68,13 +73,15 @@ std::optional<Drop> Session::hear(World& world, const gravity_wells::heartbeat_t
   if (other.who.peer == peer()) return settleId(world, other, now);
   const bool isForeign = other.generation.exists() && other.generation != generation_;
   if (isForeign && phase_ != Phase::Joining) return Drop::ForeignGeneration;
-  if (other.generation == generation_) hearDigests(other, m, now);
+  if (other.generation == generation_) hearDigests(world, other, m, now);
   return std::nullopt;
 }
 
-void Session::hearDigests(const Peer& other, const gravity_wells::heartbeat_t& m, Times now) {
+void Session::hearDigests(const World& world, const Peer& other,
+                          const gravity_wells::heartbeat_t& m, Times now) {
   if (other.phase != Phase::Active && other.phase != Phase::Syncing) return;
   const bool theirsCount = other.phase == Phase::Active;
+  const auto recent = m.header.step - std::llround(kRecent * stepRate(world));
   const bool sameSettings = m.settings_digest == std::bit_cast<std::int64_t>(shared_.digest());
   if (phase_ == Phase::Syncing && theirsCount && sameSettings) knowsSettings_ = true;
   if (!sameSettings) nextSettings_ = std::min(nextSettings_, now.monotonic + kSettingsPatience);
@@ -82,7 +89,7 @@ void Session::hearDigests(const Peer& other, const gravity_wells::heartbeat_t& m
     const auto bucket = static_cast<std::size_t>(m.first_bucket + i);
     const BucketDigest theirs = digestOf(m.digests[static_cast<std::size_t>(i)]);
     if (phase_ == Phase::Syncing && theirsCount)
-      balls_.hearDigest(other.who, bucket, theirs, now.monotonic - options_.lease, now.monotonic);
+      balls_.hearDigest(other.who, bucket, theirs, recent, now.monotonic);
     if (phase_ != Phase::Active) continue;
     for (const std::uint32_t ball : balls_.wanted(bucket, theirs, other.phase, self_))
       schedule_.want(ball, now.monotonic - kAnswerInterval);

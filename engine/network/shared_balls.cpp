@@ -77,7 +77,7 @@ std::optional<Drop> SharedBalls::gather(World& world, const BallNews& news, Stan
   if (!next) return std::nullopt;
   setRecord(i, *next, hearing.now);
   world.balls.setState(i, news.state);
-  gathering_.hear(i, news.version.step, hearing.now);
+  gathering_.hear(i, news.version.step);
   if (standing == Standing::Named)
     openOffers_.push_back({i, news.version, news.state, hearing.now + hearing.patience});
   return std::nullopt;
@@ -128,8 +128,8 @@ void SharedBalls::countDoubled(const World& world, const BallNews& news, const H
 }
 
 void SharedBalls::hearDigest(const Incarnation& peer, std::size_t bucket,
-                             const BucketDigest& theirs, double recently, double now) {
-  gathering_.compare(records_, peer, bucket, theirs, recently, now);
+                             const BucketDigest& theirs, std::int64_t recent, double now) {
+  gathering_.compare(records_, peer, bucket, theirs, recent, now);
 }
 
 std::vector<std::uint32_t> SharedBalls::wanted(std::size_t bucket, const BucketDigest& theirs,

@@ -28,49 +28,66 @@ class GatheringTest : public ::testing::Test {
 
 TEST_F(GatheringTest, KnowsWhatIsHeldAndWhenItAgreed) {
   EXPECT_EQ(gathering_.missing(), 3u);
-  gathering_.hear(0, 5, 1.0);
-  gathering_.hear(1, 6, 1.0);
+  gathering_.hear(0, 5);
+  gathering_.hear(1, 6);
   EXPECT_EQ(gathering_.missing(), 1u);
   EXPECT_TRUE(gathering_.has(1));
   EXPECT_FALSE(gathering_.has(2));
-  gathering_.hear(2, 4, 1.1);
+  gathering_.hear(2, 4);
   EXPECT_EQ(gathering_.missing(), 0u);
-  gathering_.compare(ours_, kA, 0, digestOf({0, 1, 2}), 0, 1.0);
+  gathering_.compare(ours_, kA, 0, digestOf({0, 1, 2}), 100, 1.0);
   EXPECT_TRUE(gathering_.agrees(kPeers, 0));
   EXPECT_FALSE(gathering_.agrees(kPeers, 1.05)) << "that was confirmed too long ago";
   EXPECT_EQ(gathering_.latestStep(), 6);
 }
 
 TEST_F(GatheringTest, HearingAStateIsNotEnough) {
-  for (std::size_t ball = 0; ball < 3; ++ball) gathering_.hear(ball, 5, 1.0);
+  for (std::size_t ball = 0; ball < 3; ++ball) gathering_.hear(ball, 5);
   EXPECT_FALSE(gathering_.agrees(kPeers, 0));
 }
 
-TEST_F(GatheringTest, ADigestThatDiffersConfirmsNothingThatItCounts) {
-  for (std::size_t ball = 0; ball < 3; ++ball) gathering_.hear(ball, 5, 1.0);
+TEST_F(GatheringTest, ADigestThatDiffersConfirmsNothing) {
+  for (std::size_t ball = 0; ball < 3; ++ball) gathering_.hear(ball, 5);
+  gathering_.compare(ours_, kA, 0, digestOf({0, 1, 2}), 100, 1.0);
+  EXPECT_TRUE(gathering_.agrees(kPeers, 1.0));
   theirs_[1].version.owner = kB;
   theirs_[1].version.epoch = 1;
-  gathering_.compare(ours_, kA, 0, digestOf({0, 1, 2}), 0, 1.0);
+  gathering_.compare(ours_, kA, 0, digestOf({0, 1, 2}), 100, 2.0);
   EXPECT_FALSE(gathering_.agrees(kPeers, 0));
-  gathering_.compare(ours_, kA, 0, digestOf({0, 2}), 0.5, 1.0);
-  EXPECT_TRUE(gathering_.agrees(kPeers, 0)) << "the third changes hands, and was heard of lately";
 }
 
-TEST_F(GatheringTest, WhatADigestDoesNotCountMustHaveBeenHeardLately) {
-  for (std::size_t ball = 0; ball < 3; ++ball) gathering_.hear(ball, 5, 1.0);
-  gathering_.compare(ours_, kA, 0, digestOf({0, 2}), 1.5, 2.0);
+TEST_F(GatheringTest, WhatADigestDoesNotCountIsLeftToALaterOne) {
+  for (std::size_t ball = 0; ball < 3; ++ball) gathering_.hear(ball, 5);
+  gathering_.compare(ours_, kA, 0, digestOf({0, 2}), 100, 2.0);
+  EXPECT_FALSE(gathering_.agrees(kPeers, 0)) << "nothing has been said of ball 1";
+  gathering_.compare(ours_, kA, 0, digestOf({0, 1}), 100, 2.1);
+  EXPECT_TRUE(gathering_.agrees(kPeers, 2.0));
+  EXPECT_FALSE(gathering_.agrees(kPeers, 2.05)) << "ball 2 is not in the last one";
+}
+
+TEST_F(GatheringTest, OfWhatADigestDoesNotCountARecentStateIsEnough) {
+  for (std::size_t ball = 0; ball < 3; ++ball) gathering_.hear(ball, 100);
+  gathering_.compare(ours_, kA, 0, digestOf({0, 2}), 101, 2.0);
   EXPECT_FALSE(gathering_.agrees(kPeers, 0));
-  gathering_.hear(1, 9, 1.9);
-  gathering_.compare(ours_, kA, 0, digestOf({0, 2}), 1.5, 2.0);
+  gathering_.compare(ours_, kA, 0, digestOf({0, 2}), 100, 2.0);
   EXPECT_TRUE(gathering_.agrees(kPeers, 0));
 }
 
+TEST_F(GatheringTest, ABallThatTheOtherHasJustAdoptedDoesNotHideThatWeKnewAnOldOwner) {
+  for (std::size_t ball = 0; ball < 3; ++ball) gathering_.hear(ball, 5);
+  theirs_[1].version.epoch = 1;
+  gathering_.compare(ours_, kA, 0, digestOf({0, 1, 2}), 100, 1.0);
+  theirs_[1].version.term = 1;
+  gathering_.compare(ours_, kA, 0, digestOf({0, 2}), 100, 1.1);
+  EXPECT_FALSE(gathering_.agrees(kPeers, 0));
+}
+
 TEST_F(GatheringTest, AgreesWithAllWhoAreNamed) {
-  for (std::size_t ball = 0; ball < 3; ++ball) gathering_.hear(ball, 5, 1.0);
-  gathering_.compare(ours_, kA, 0, digestOf({0, 1, 2}), 0, 1.0);
+  for (std::size_t ball = 0; ball < 3; ++ball) gathering_.hear(ball, 5);
+  gathering_.compare(ours_, kA, 0, digestOf({0, 1, 2}), 100, 1.0);
   const std::vector<Incarnation> both{kA, kB};
   EXPECT_FALSE(gathering_.agrees(both, 0));
-  gathering_.compare(ours_, kB, 0, digestOf({0, 1, 2}), 0, 1.0);
+  gathering_.compare(ours_, kB, 0, digestOf({0, 1, 2}), 100, 1.0);
   EXPECT_TRUE(gathering_.agrees(both, 0));
 }
 

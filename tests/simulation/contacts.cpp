@@ -33,18 +33,25 @@ void Contacts::hear(const gravity_wells::peer_header_t& header, const Generation
                     double now) {
   Heard* heard = find({PeerId{header.peer_id}, header.incarnation});
   if (!heard || !heard->sequences.accept(header.sequence)) return;
-  const bool isMember = generation.exists() && generationOf(header) == generation &&
-                        heard->generation == generation &&
+  if (!generation.exists() || generationOf(header) != generation) return;
+  // Its states count even before the first heartbeat that tells of the generation.
+  heard->asMember = now;
+  const bool isMember = heard->generation == generation &&
                         (heard->phase == Phase::Syncing || heard->phase == Phase::Active);
   if (!isMember) return;
-  heard->asMember = now;
-  if (now - heard->renewed > kLongestGap * lease_) heard->since = now;
+  if (now - heard->renewed > kSteadyGap * lease_) heard->steadySince = now;
+  if (now - heard->renewed > kCloseGap * lease_) heard->closeSince = now;
   heard->renewed = now;
 }
 
 bool Contacts::isSteady(const Incarnation& who, double span, double now) const {
   const Heard* heard = find(who);
-  return heard && now - heard->renewed <= kLongestGap * lease_ && now - heard->since >= span;
+  return heard && now - heard->renewed <= kSteadyGap * lease_ && now - heard->steadySince >= span;
+}
+
+bool Contacts::isClose(const Incarnation& who, double span, double now) const {
+  const Heard* heard = find(who);
+  return heard && now - heard->renewed <= kCloseGap * lease_ && now - heard->closeSince >= span;
 }
 
 bool Contacts::hearsOnly(const std::vector<Incarnation>& known, double span, double now) const {

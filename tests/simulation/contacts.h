@@ -20,8 +20,11 @@ class Contacts {
   void hear(const gravity_wells::peer_header_t& header, const Generation& generation, double now);
   void hear(const gravity_wells::heartbeat_t& heartbeat, const Generation& generation, double now);
 
-  /// True when for the last `span` seconds no renewal of its lease was long in coming.
+  /// True when for the last `span` seconds no renewal of its lease was late.
   bool isSteady(const Incarnation& who, double span, double now) const;
+
+  /// The same with so little silence that its wells are known as well as its life.
+  bool isClose(const Incarnation& who, double span, double now) const;
 
   /// Everybody but `known` has been silent for `span`, as far as it has a say in the generation.
   bool hearsOnly(const std::vector<Incarnation>& known, double span, double now) const;
@@ -30,7 +33,8 @@ class Contacts {
   static constexpr double kNever = -std::numeric_limits<double>::infinity();
   // Of a lease. A gap that is longer ends what was steady: it may have been too long for the
   // session, whose look at the time comes later.
-  static constexpr double kLongestGap = 0.75;
+  static constexpr double kSteadyGap = 0.75;
+  static constexpr double kCloseGap = 0.25;
 
   struct Heard {
     Incarnation who{};
@@ -38,7 +42,8 @@ class Contacts {
     Phase phase = Phase::Joining;
     SequenceWindow sequences{};
     std::int64_t newestHeartbeat = 0;  // its sequence number
-    double since = kNever;             // s, since when it has been steady
+    double steadySince = kNever;       // s
+    double closeSince = kNever;        // s
     double renewed = kNever;           // s
     double asMember = kNever;          // s, when it was last heard with a say
   };

@@ -37,6 +37,15 @@ TEST_F(ContactsTest, IsSteadyWhileNoGapIsLong) {
   EXPECT_FALSE(contacts.isSteady({PeerId{2}, 23}, 0, 5)) << "another incarnation";
 }
 
+TEST_F(ContactsTest, IsCloseWhileNoGapIsAQuarterOfALease) {
+  for (; step < 50; ++step) beat(0.1 * static_cast<double>(step));
+  EXPECT_TRUE(contacts.isClose(kOther, 4, 5));
+  EXPECT_FALSE(contacts.isClose(kOther, 4, 5.6));
+  beat(5.6);
+  EXPECT_FALSE(contacts.isClose(kOther, 1, 5.7)) << "began again at 5.6 s";
+  EXPECT_TRUE(contacts.isSteady(kOther, 4, 5.7));
+}
+
 TEST_F(ContactsTest, HearsOnlyThoseWhoAreNotSilent) {
   beat(0);
   EXPECT_FALSE(contacts.hearsOnly({}, 4, 1));

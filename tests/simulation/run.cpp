@@ -223,7 +223,7 @@ void Run::checkGroups() {
     std::vector<const Process*> group;
     std::vector<Incarnation> selves;
     for (const auto& other : processes_) {
-      if (other.get() != &a && !haveHeardEachOther(a, *other, kTwoLeases)) continue;
+      if (other.get() != &a && !areClose(a, *other, kTwoLeases)) continue;
       if (other.get() == &a && !isAwake(a, kTwoLeases)) break;
       group.push_back(other.get());
       selves.push_back(other->self);
@@ -233,7 +233,7 @@ void Run::checkGroups() {
     const bool isClosed = std::ranges::all_of(group, [&](const Process* member) {
       return member->contacts().hearsOnly(selves, kTwoLeases, now_) &&
              std::ranges::all_of(group, [&](const Process* other) {
-               return other == member || haveHeardEachOther(*member, *other, kTwoLeases);
+               return other == member || areClose(*member, *other, kTwoLeases);
              });
     });
     if (!isClosed) continue;
@@ -264,6 +264,11 @@ bool Run::haveHeardEachOther(const Process& a, const Process& b, double seconds)
   return isAwake(a, seconds) && isAwake(b, seconds) && a.generation == b.generation &&
          a.contacts().isSteady(b.self, seconds, now_) &&
          b.contacts().isSteady(a.self, seconds, now_);
+}
+
+bool Run::areClose(const Process& a, const Process& b, double seconds) const {
+  return haveHeardEachOther(a, b, seconds) && a.contacts().isClose(b.self, seconds, now_) &&
+         b.contacts().isClose(a.self, seconds, now_);
 }
 
 std::vector<PeerView> Run::views() const {

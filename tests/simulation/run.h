@@ -65,6 +65,8 @@ class Run {
   void checkGroups();
   bool isAwake(const Process& process, double seconds) const;
   bool haveHeardEachOther(const Process& a, const Process& b, double seconds) const;
+  /// The same, without a silence that hides where a well went.
+  bool areClose(const Process& a, const Process& b, double seconds) const;
   std::vector<PeerView> views() const;
   void countDoubled(double seconds);
   void addCounts(const Process& process);

@@ -77,6 +77,7 @@ void Run::strike(const Fault& drawn, Process& process) {
       if (process.isMidTick || process.gone > 0) return;
       count(fault.kind, process);
       process.leave(now_);
+      observe(process);
       process.gone = now_ + kFarewell;
       process.comeback = fault;
       return;

@@ -114,7 +114,7 @@ void Run::noteChanges(Process& process) {
     trace_.add(now_, "{} is {}", describe(session.self()), name(session.phase()));
   const bool hasJoined = process.phase == Phase::Syncing && session.phase() == Phase::Active;
   if (isAnew || process.phase != session.phase()) process.activeSince = now_;
-  if (isAnew || (process.phase != Phase::Syncing && session.phase() == Phase::Syncing))
+  if (process.phase != Phase::Syncing || process.generation != session.generation())
     process.syncingSince = now_;
   process.self = session.self();
   process.generation = session.generation();
