@@ -57,26 +57,12 @@ Encounter follow(GapAt gapAt, double closed, double stretch, double from, double
   return {Meeting::Sustained, t};
 }
 
-double horizontal(const Vec3& v) {
-  return std::sqrt(v.x() * v.x() + v.z() * v.z());
-}
-
-/// A ball that touches, stands still towards the surface and is not pressed to it is about to leave
-/// by its acceleration. Follow it from where it has left; in time's unit the way there.
+/// A ball that touches a surface, stands still towards it and is not pressed to it is about to
+/// leave by its acceleration. It is followed from where it has left: after this share of the time.
 constexpr double kLeaving = 1.0 / 64;
 
-Encounter encounterWithGround(const PathModel& model, const Path& ball, double from, double until) {
-  if (ball.motion != Motion::Flying) return {};
-  const Arena& arena = *model.arena;
-  const double gravity = std::abs(model.field->gravity.y());
-  const auto gapAt = [&](double t, double end) -> GapNow {
-    const BallState now = stateAt(model, ball, t);
-    return {groundGap(arena, now.position, ball.radius),
-            withoutNoise(-now.velocity.y(), length(now.velocity)),
-            gravity + accelerationBound(model, ball.motion, now, t, end - t)};
-  };
-  const double size = std::abs(arena.center.y()) + std::abs(ball.state.position.y()) + ball.radius;
-  const double closed = kClosedGap * size;
+template <class GapAt>
+Encounter followFromContact(GapAt gapAt, double closed, double stretch, double from, double until) {
   const GapNow first = gapAt(from, until);
   if (first.gap <= closed && first.closing == 0 && first.growth > 0) {
     from += kLeaving * (until - from);
@@ -85,7 +71,25 @@ Encounter encounterWithGround(const PathModel& model, const Path& ball, double f
       return {Meeting::Sustained, from};
     }
   }
-  return follow(gapAt, closed, model.field->stretch, from, until);
+  return follow(gapAt, closed, stretch, from, until);
+}
+
+double horizontal(const Vec3& v) {
+  return std::sqrt(v.x() * v.x() + v.z() * v.z());
+}
+
+Encounter encounterWithGround(const PathModel& model, const Path& ball, double from, double until) {
+  const Arena& arena = *model.arena;
+  const double gravity = std::abs(model.field->gravity.y());
+  const auto gapAt = [&](double t, double end) -> GapNow {
+    const BallState now = stateAt(model, ball, t);
+    return {groundGap(arena, now.position, ball.radius),
+            withoutNoise(-now.velocity.y(), length(now.velocity)),
+            gravity + accelerationBound(model, ball, now, t, end - t)};
+  };
+  const double size = std::abs(arena.center.y()) + std::abs(ball.state.position.y()) + ball.radius;
+  const double closed = kClosedGap * size;
+  return followFromContact(gapAt, closed, model.field->stretch, from, until);
 }
 
 Encounter encounterWithWall(const PathModel& model, const Path& ball, double from, double until) {
@@ -95,7 +99,7 @@ Encounter encounterWithWall(const PathModel& model, const Path& ball, double fro
   const auto gapAt = [&](double t, double end) -> GapNow {
     const BallState now = stateAt(model, ball, t);
     const Vec3 p = now.position - arena.center;
-    const double pull = gravity + accelerationBound(model, ball.motion, now, t, end - t);
+    const double pull = gravity + accelerationBound(model, ball, now, t, end - t);
     const double fastest = horizontal(now.velocity) + pull * (end - t);
     // (R^2 - rho^2)'' = -2 (v^2 + p.a)
     return {reach * reach - p.x() * p.x() - p.z() * p.z(),
@@ -104,7 +108,7 @@ Encounter encounterWithWall(const PathModel& model, const Path& ball, double fro
             2 * (fastest * fastest + reach * pull)};
   };
   const double size = horizontal(arena.center) + arena.radius;
-  return follow(gapAt, 2 * reach * kClosedGap * size, model.field->stretch, from, until);
+  return followFromContact(gapAt, 2 * reach * kClosedGap * size, model.field->stretch, from, until);
 }
 
 }  // namespace
@@ -121,7 +125,7 @@ Encounter encounterOfBalls(const PathModel& model, const Path& a, const Path& b,
     return {distance - a.radius - b.radius,
             withoutNoise(dot(nowA.velocity - nowB.velocity, d) / distance,
                          length(nowA.velocity) + length(nowB.velocity)),
-            approachBound(model, a.motion, nowA, b.motion, nowB, t, end - t)};
+            approachBound(model, a, nowA, b, nowB, t, end - t)};
   };
   const double size = length(a.state.position) + length(b.state.position) + a.radius + b.radius;
   return follow(gapAt, kClosedGap * size, model.field->stretch, from, until);
@@ -129,6 +133,7 @@ Encounter encounterOfBalls(const PathModel& model, const Path& a, const Path& b,
 
 Encounter encounterWithArena(const PathModel& model, const Path& ball, std::uint32_t partner,
                              double from, double until) {
+  if (ball.motion != Motion::Flying && ball.surface == partner) return {};
   return partner == kGround ? encounterWithGround(model, ball, from, until)
                             : encounterWithWall(model, ball, from, until);
 }

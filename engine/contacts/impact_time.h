@@ -34,8 +34,8 @@ struct Encounter {
 Encounter encounterOfBalls(const PathModel& model, const Path& a, const Path& b, double from,
                            double until);
 
-/// The first encounter of a ball with the ground (kGround) or the wall (kWall). A ball that the
-/// ground holds has none with it.
+/// The first encounter of a ball with the ground (kGround) or the wall (kWall). None with
+/// the surface that holds it.
 Encounter encounterWithArena(const PathModel& model, const Path& ball, std::uint32_t partner,
                              double from, double until);
 

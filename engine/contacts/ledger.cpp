@@ -1,6 +1,6 @@
 #include "contacts/ledger.h"
 
-#include "contacts/support.h"
+#include "contacts/held_motion.h"
 
 namespace wells {
 namespace {
@@ -31,8 +31,9 @@ Rates ratesOf(const Ledger& ledger, const PathModel& model, const Path& path, co
   rates.pull = acceleration(*model.field, now.position, t) - k * now.velocity;
   rates.torque = cross(now.position - ledger.center, rates.pull);
   if (path.motion == Motion::Sliding) {
-    const double slip = length(slipOnGround(now, path.radius));
-    rates.friction = model.friction * rates.pull.y() * slip;  // pull.y < 0 presses
+    const Path there{now, t, path.radius, path.motion, path.surface};
+    rates.friction =
+        -model.friction * loadOn(model, there, t).pressing * length(slipOf(model, there));
   }
   return rates;
 }
@@ -50,6 +51,10 @@ double energyOf(const PathModel& model, const BallState& now, double radius, dou
 Vec3 angularOf(const Ledger& ledger, const BallState& now, double radius) {
   return cross(now.position - ledger.center, now.velocity) +
          kInertiaFactor * radius * radius * now.spin;
+}
+
+ImpulseBook& bookOf(Books& books, std::uint32_t surface) {
+  return surface == kGround ? books.ground : books.wall;
 }
 
 struct Moment {
@@ -81,14 +86,15 @@ void bookStretch(const Ledger& ledger, const PathModel& model, const Path& path,
   }
   books.fields.linear += mass * sum.pull;
   books.fields.angular += mass * sum.torque;
-  books.ground.linear += push - mass * sum.pull;
-  books.ground.angular += turn - mass * sum.torque;
+  ImpulseBook& book = bookOf(books, path.surface);
+  book.linear += push - mass * sum.pull;
+  book.angular += turn - mass * sum.torque;
 }
 
 }  // namespace
 
 void bookArena(const Ledger& ledger, const Contact& c, const Vec3& impulse, const Balls& balls) {
-  ImpulseBook& book = c.b == kGround ? ledger.books->ground : ledger.books->wall;
+  ImpulseBook& book = bookOf(*ledger.books, c.b);
   const Vec3 place = balls.position[c.a] + balls.radius[c.a] * c.normal;
   book.linear += impulse;
   book.angular += cross(place - ledger.center, impulse);
@@ -96,7 +102,7 @@ void bookArena(const Ledger& ledger, const Contact& c, const Vec3& impulse, cons
 
 void bookPath(const Ledger& ledger, const PathModel& model, const Path& path, double mass,
               double until) {
-  // A flight is as good from any of its stretches on; what the ground holds is not.
+  // A flight is as good from any of its stretches on; what a surface holds is not.
   Path from = path;
   const auto moment = [&](double t) -> Moment { return {stateAt(model, from, t), t}; };
   const double stretch = model.field->stretch;
@@ -116,8 +122,9 @@ void bookPath(const Ledger& ledger, const PathModel& model, const Path& path, do
 void bookHold(const Ledger& ledger, const BallState& before, const Path& held, double mass) {
   Books& books = *ledger.books;
   books.friction += mass * (kineticOf(held.state, held.radius) - kineticOf(before, held.radius));
-  books.ground.linear += mass * (held.state.velocity - before.velocity);
-  books.ground.angular +=
+  ImpulseBook& book = bookOf(books, held.surface);
+  book.linear += mass * (held.state.velocity - before.velocity);
+  book.angular +=
       mass * (angularOf(ledger, held.state, held.radius) - angularOf(ledger, before, held.radius));
 }
 

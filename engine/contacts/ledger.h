@@ -40,7 +40,7 @@ void bookArena(const Ledger& ledger, const Contact& c, const Vec3& impulse, cons
 void bookPath(const Ledger& ledger, const PathModel& model, const Path& path, double mass,
               double until);
 
-/// The ground takes hold of a ball that had `before`: the last of a slip ends, by rounding or a
+/// A surface takes hold of a ball that had `before`: the last of a slip ends, by rounding or a
 /// little more.
 void bookHold(const Ledger& ledger, const BallState& before, const Path& held, double mass);
 

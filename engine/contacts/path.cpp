@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contacts/held_motion.h"
 #include "contacts/support.h"
 
 namespace wells {
@@ -13,32 +14,64 @@ double strongestPull(const Well& well) {
   return 2 / (3 * std::sqrt(3.0)) * std::abs(well.strength) / (well.softening * well.softening);
 }
 
-/// By wells and drag. `friction`: Coulomb's coefficient where the ball slides, else 0.
-double pullBound(const PathModel& model, double friction, const BallState& ball, double t,
+/// A bound (m/s) on the speed of a ball, and on that of its surface by spin over
+/// sqrt(kInertiaFactor), for `duration` seconds in which nothing pulls it by more than `strongest`
+/// (m/s^2): friction may turn spin into speed, but adds no energy.
+double fastest(const Path& path, const BallState& ball, double strongest, double duration) {
+  double energy = squaredLength(ball.velocity);
+  if (path.motion != Motion::Flying)
+    energy += kInertiaFactor * path.radius * path.radius * squaredLength(ball.spin);
+  return std::sqrt(energy) + strongest * duration;
+}
+
+/// By wells and drag.
+double pullBound(const PathModel& model, const Path& path, const BallState& ball, double t,
                  double duration) {
   const Field& field = *model.field;
   double strongest = length(field.gravity);
   for (const Well& well : field.wells) strongest += strongestPull(well);
-  const double fastest =
-      length(ball.velocity) + (1 + friction) * strongest * duration;  // m/s, drag only slows
-  double bound = dragRate(model.drag) * fastest;
+  const double speed = fastest(path, ball, strongest, duration);  // drag only slows
+  double bound = dragRate(model.drag) * speed;
   for (const Well& well : field.wells) {
     const Vec3 d = well.position + well.velocity * t - ball.position;
     const double e2 = well.softening * well.softening;
     const double s2 = squaredLength(d) + e2;
     const double now = std::abs(well.strength) * length(d) / (s2 * std::sqrt(s2));
     const double steepness = std::abs(well.strength) / (e2 * well.softening);
-    bound += std::min(strongestPull(well),
-                      now + steepness * (fastest + length(well.velocity)) * duration);
+    bound +=
+        std::min(strongestPull(well), now + steepness * (speed + length(well.velocity)) * duration);
   }
   return bound;
+}
+
+/// On the ground: along it, where rolling takes 5/7 of the pull and sliding adds friction under the
+/// weight and the wells' pull.
+double boundOnGround(const PathModel& model, const Path& path, double byFields) {
+  const Vec3& g = model.field->gravity;
+  const double friction = path.motion == Motion::Sliding ? model.friction : 0;
+  const double pull = byFields + std::sqrt(g.x() * g.x() + g.z() * g.z());
+  return pull + friction * (byFields + std::abs(g.y()));
+}
+
+/// On the wall: the pull, the turning along it, and friction: of what presses, or of what rolling
+/// needs (held_motion.h).
+double boundOnWall(const PathModel& model, const Path& path, const BallState& ball, double byFields,
+                   double duration) {
+  const double pull = byFields + length(model.field->gravity);
+  const double speed = fastest(path, ball, pull, duration);
+  const double turning = speed * speed / (model.arena->radius - path.radius);
+  const double slipPull = pull + turning / std::sqrt(kInertiaFactor);
+  const double friction =
+      path.motion == Motion::Sliding ? model.friction * (pull + turning) : slipPull / kSlipRatio;
+  return pull + turning + friction;
 }
 
 }  // namespace
 
 Path pathFrom(const PathModel& model, const BallState& state, double radius, double t) {
-  Path path{state, t, radius, Motion::Flying};
-  if (isHeldByGround(model, path)) holdOnGround(model, path);
+  Path path{state, t, radius, Motion::Flying, kNoSurface};
+  path.surface = holderOf(model, path);
+  if (path.surface != kNoSurface) holdOn(model, path);
   return path;
 }
 
@@ -52,24 +85,21 @@ BallState stateAt(const PathModel& model, const Path& path, double t) {
   return state;
 }
 
-double accelerationBound(const PathModel& model, Motion motion, const BallState& now, double t,
+double accelerationBound(const PathModel& model, const Path& path, const BallState& now, double t,
                          double duration) {
-  const double friction = motion == Motion::Sliding ? model.friction : 0;
-  const double byFields = pullBound(model, friction, now, t, duration);
-  if (motion == Motion::Flying) return byFields;
-  const Vec3& g = model.field->gravity;
-  const double pull = byFields + std::sqrt(g.x() * g.x() + g.z() * g.z());
-  // Rolling takes 5/7 of the pull, sliding adds friction under the weight and the wells' pull.
-  return pull + friction * (byFields + std::abs(g.y()));
+  const double byFields = pullBound(model, path, now, t, duration);
+  if (path.motion == Motion::Flying) return byFields;
+  return path.surface == kGround ? boundOnGround(model, path, byFields)
+                                 : boundOnWall(model, path, now, byFields, duration);
 }
 
-double approachBound(const PathModel& model, Motion motionA, const BallState& a, Motion motionB,
-                     const BallState& b, double t, double duration) {
-  // Gravity is the same for both, unless the ground takes it from one.
-  const bool same = (motionA == Motion::Flying) == (motionB == Motion::Flying);
+double approachBound(const PathModel& model, const Path& pathA, const BallState& a,
+                     const Path& pathB, const BallState& b, double t, double duration) {
+  // Gravity is the same for both, unless a surface takes it from one.
+  const bool same = (pathA.motion == Motion::Flying) == (pathB.motion == Motion::Flying);
   return (same ? 0 : length(model.field->gravity)) +
-         accelerationBound(model, motionA, a, t, duration) +
-         accelerationBound(model, motionB, b, t, duration);
+         accelerationBound(model, pathA, a, t, duration) +
+         accelerationBound(model, pathB, b, t, duration);
 }
 
 }  // namespace wells

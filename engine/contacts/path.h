@@ -1,5 +1,5 @@
-// The path of one ball within a step, from its last event on: in flight, or held by the ground on
-// which it rolls or slides. Dense output, and bounds on how much the path bends.
+// The path of one ball within a step, from its last event on: in flight, or held by the ground or
+// the wall, on which it rolls or slides. Dense output, and bounds on how much the path bends.
 #pragma once
 
 #include <cstdint>
@@ -20,9 +20,12 @@ struct PathModel {
 
 enum class Motion : std::uint8_t {
   Flying,
-  Rolling,  // on the ground, without slip
-  Sliding   // on the ground
+  Rolling,  // on a surface, without slip
+  Sliding   // on a surface
 };
+
+/// In the place of kGround or kWall.
+inline constexpr std::uint32_t kNoSurface = 0;
 
 /// A ball that had `state` at `start` (s since the start of the step) and moves on since.
 struct Path {
@@ -30,28 +33,29 @@ struct Path {
   double start = 0;   // s
   double radius = 0;  // m
   Motion motion = Motion::Flying;
+  std::uint32_t surface = kNoSurface;  // that holds a rolling or sliding ball
 };
 
-/// The path that begins with `state` at time t. Where the ball touches the ground, does not leave
-/// it and is pressed to it, the ground holds it: its height, its vertical velocity and, if it
-/// rolls, its spin are then made exact.
+/// The path that begins with `state` at time t. Where the ball touches the ground or the wall, does
+/// not leave it and is pressed to it, that surface holds it: its distance, its velocity towards it
+/// and, if it rolls, its spin are then made exact.
 Path pathFrom(const PathModel& model, const BallState& state, double radius, double t);
 
 /// The state at t >= path.start: one flight, or one integration of the rolling or sliding ball,
 /// from `start`, so that a path has its method's order whatever time it is asked for.
 BallState stateAt(const PathModel& model, const Path& path, double t);
 
-/// Bound (m/s^2) on the acceleration of a ball that has state `now` at time t, during the next
-/// `duration` seconds. In flight by wells and drag alone; gravity is not in it. On the ground on
-/// the horizontal acceleration, whatever its source. Rigorous for the true path: a well of strength
-/// S and softening e pulls at most 2 S / (3 sqrt(3) e^2) and changes by at most S / e^3 per metre.
-/// Exactly 0 without wells, drag and sliding friction.
-double accelerationBound(const PathModel& model, Motion motion, const BallState& now, double t,
+/// Bound (m/s^2) on the acceleration of a ball that has state `now` on the path at time t, during
+/// the next `duration` seconds. In flight by wells and drag alone; gravity is not in it. Held by a
+/// surface, whatever the source. Rigorous for the true path: a well of strength S and softening e
+/// pulls at most 2 S / (3 sqrt(3) e^2) and changes by at most S / e^3 per metre. Exactly 0 without
+/// wells and drag in flight and on the level ground where nothing slides.
+double accelerationBound(const PathModel& model, const Path& path, const BallState& now, double t,
                          double duration);
 
 /// Bound (m/s^2) on how fast the closing speed of two balls can grow, beside what the turning of
 /// their line of centres does.
-double approachBound(const PathModel& model, Motion motionA, const BallState& a, Motion motionB,
-                     const BallState& b, double t, double duration);
+double approachBound(const PathModel& model, const Path& pathA, const BallState& a,
+                     const Path& pathB, const BallState& b, double t, double duration);
 
 }  // namespace wells

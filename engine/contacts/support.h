@@ -1,28 +1,18 @@
-// One ball on the ground, in reduced coordinates: where it is pressed down it can only move in the
-// plane, with the spin that friction gives it. Height and vertical velocity are exact.
-//
-// With u = v + w x (-r n) the slip of the contact point, n the normal up, F the pull per mass along
-// the ground, N the pressing force per mass (Landau & Lifshitz, Mechanics, section 38; solid
-// sphere, I = 2/5 m r^2):
-//   rolling  u = 0:   dv/dt = 5/7 F,              friction needed 2/7 |F| <= mu N
-//   sliding  u != 0:  dv/dt = F - mu N u/|u|,     du/dt = F - 7/2 mu N u/|u|
-// integrated by the classical Runge-Kutta method; what ends a motion is located in time. The spin
-// about the normal stays.
+// One ball that the ground or the wall holds: where it is pressed to a surface it can only move
+// along it, with the spin that friction gives it (held_motion.h). Its distance from the surface and
+// its velocity towards it are exact; what ends a motion is located in time.
 #pragma once
 
 #include "contacts/path.h"
 
 namespace wells {
 
-/// u = v + w x (-r n), m/s: how fast the contact point of a ball on the ground slips.
-Vec3 slipOnGround(const BallState& ball, double radius);
+/// Which surface holds the ball of a flying path at path.start: the one that it touches, neither
+/// leaves nor approaches, and is pressed to. None where both do: in the corner it has two contacts.
+std::uint32_t holderOf(const PathModel& model, Path path);
 
-/// True where the ball of a flying path touches the ground at path.start, neither leaves nor
-/// approaches it, and is pressed to it.
-bool isHeldByGround(const PathModel& model, const Path& path);
-
-/// Makes such a path one of a rolling or sliding ball.
-void holdOnGround(const PathModel& model, Path& path);
+/// Makes such a path, with its surface set, one of a rolling or sliding ball.
+void holdOn(const PathModel& model, Path& path);
 
 /// stateAt() of a rolling or sliding ball.
 BallState heldStateAt(const PathModel& model, const Path& path, double t);

@@ -9,6 +9,7 @@
 #include "scenes/crowds.h"
 #include "scenes/ground_scenes.h"
 #include "scenes/impact_scenes.h"
+#include "scenes/wall_scenes.h"
 #include "scenes/well_scenes.h"
 
 namespace wells {
@@ -31,6 +32,13 @@ constexpr Scene kScenes[] = {
     {"backspin", "a ball slides against its spin", 1, 1, 180, false, makeBackspin},
     {"backspin-return", "a ball spins so fast that it comes back", 1, 1, 180, false,
      makeBackspinReturn},
+    {"rolling-well", "a ball on the ground rolls to and fro under a well", 1, 1, 600, false,
+     makeRollingUnderWell},
+    {"whispering-gallery", "a ball runs along the wall", 1, 1, 600, false, makeWhisperingGallery},
+    {"wall-slide-to-roll", "the same with friction: it slides, then rolls", 1, 1, 300, false,
+     makeWallSlideToRoll},
+    {"wall-rolling", "a ball rolls round the wall, falls and rises again", 1, 1, 600, false,
+     makeWallRolling},
     {"oblique-ground", "two balls hit the ground with friction", 2, 2, 120, false,
      makeObliqueGround},
     {"oblique-balls", "a ball hits another off its centre", 2, 2, 120, false, makeObliqueBalls},

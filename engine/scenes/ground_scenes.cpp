@@ -47,6 +47,14 @@ World makeBackspinReturn(std::size_t, std::uint64_t) {
   return sliding(40);
 }
 
+World makeRollingUnderWell(std::size_t, std::uint64_t) {
+  World world;
+  world.settings.friction = 0.3;
+  world.tracks.push_back({.keyframes = {{0, {0, 0.5, 0}, 8}}, .softening = 2});
+  addUnitBall(world, {0.1, 0.5, 0});
+  return world;
+}
+
 World makeObliqueGround(std::size_t, std::uint64_t) {
   World world = freeWorld();
   world.settings.elasticity = 0.8;

@@ -29,6 +29,10 @@ World makeBackspin(std::size_t balls, std::uint64_t seed);
 /// The same with 40 rad/s of backspin: comes back at 2.143 m/s.
 World makeBackspinReturn(std::size_t balls, std::uint64_t seed);
 
+/// mu = 0.3: on the ground at rest, 0.1 m from a well of S = 8, softening 2 m, at the height of its
+/// centre: rolls to and fro with 5/7 of the well's pull.
+World makeRollingUnderWell(std::size_t balls, std::uint64_t seed);
+
 /// No gravity, e = 0.8, mu = 0.3: two balls, far apart, come down to the ground at 5 m/s, 60 and 65
 /// degrees from the normal. The first sticks at the impact, the second slides through it.
 World makeObliqueGround(std::size_t balls, std::uint64_t seed);

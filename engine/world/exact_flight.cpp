@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "contacts/held_motion.h"
 #include "contacts/impact_time.h"
 #include "contacts/impacts.h"
 #include "contacts/support.h"
@@ -132,7 +133,7 @@ IslandFate ExactFlight::resolve(const StepInput& in, double time, Balls& balls) 
   double elasticity = in.settings.elasticity;
   const double pressing = pressingOfLoneBall(in, time, balls);
   if (pressing > 0)
-    elasticity = settles(elasticity, pressing, balls) ? 0 : elasticity;
+    elasticity = settles(*in.model.arena, elasticity, pressing, balls) ? 0 : elasticity;
   else if (!isElastic && isTooSlow(in, time, balls))
     return IslandFate::Sustained;
   const std::int64_t impulses =
@@ -147,16 +148,20 @@ IslandFate ExactFlight::resolve(const StepInput& in, double time, Balls& balls) 
 }
 
 double ExactFlight::pressingOfLoneBall(const StepInput& in, double time, const Balls& balls) const {
-  if (cluster_.size() != 1 || cluster_[0].b != kGround) return 0;
-  return -acceleration(*in.model.field, balls.position[cluster_[0].a], time).y();
+  if (cluster_.size() != 1 || isBall(cluster_[0].b)) return 0;
+  const std::uint32_t ball = cluster_[0].a;
+  const Path path{balls.state(ball), time, balls.radius[ball], Motion::Flying, cluster_[0].b};
+  return loadOn(in.model, path, time).pressing;
 }
 
 // The flights that are left last 2 e v / (N (1 - e)) in all, N the pressing acceleration; the next
 // one rises by (e v)^2 / (2 N).
-bool ExactFlight::settles(double elasticity, double pressing, const Balls& balls) const {
+bool ExactFlight::settles(const Arena& arena, double elasticity, double pressing,
+                          const Balls& balls) const {
   const Contact& c = cluster_[0];
   const double after = elasticity * closingSpeed(balls, c);
-  const double size = std::abs(balls.position[c.a].y()) + balls.radius[c.a];
+  const double size = c.b == kGround ? std::abs(balls.position[c.a].y()) + balls.radius[c.a]
+                                     : length(arena.center) + arena.radius;
   return 2 * after <= kSettlingTime * dt_ * pressing * (1 - elasticity) ||
          (elasticity < 1 && after * after <= 2 * pressing * kSettlingHeight * size);
 }
@@ -269,10 +274,10 @@ double ExactFlight::pressingBound(const StepInput& in, double time, const Contac
                                   const Balls& balls) const {
   const double substep = dt_ / in.settings.substeps;
   if (isBall(c.b))
-    return approachBound(in.model, path_[c.a].motion, balls.state(c.a), path_[c.b].motion,
-                         balls.state(c.b), time, substep);
+    return approachBound(in.model, path_[c.a], balls.state(c.a), path_[c.b], balls.state(c.b), time,
+                         substep);
   return length(in.settings.gravity) +
-         accelerationBound(in.model, path_[c.a].motion, balls.state(c.a), time, substep);
+         accelerationBound(in.model, path_[c.a], balls.state(c.a), time, substep);
 }
 
 bool ExactFlight::mayBePressed(const StepInput& in, double time, const Balls& balls) const {

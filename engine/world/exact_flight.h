@@ -1,5 +1,5 @@
 // One island through one step by the times of its events: move on, find the earliest impact (or the
-// time at which a ball on the ground begins to slide, to roll or to lift off), resolve it, look
+// time at which a ball on ground or wall begins to slide, to roll or to lift off), resolve it, look
 // again at the pairs of the balls that it changed, until the step ends. Paths are per ball, so an
 // event costs what its neighbourhood costs, and the integrator's order survives every impact.
 #pragma once
@@ -52,9 +52,9 @@ struct ExactCounts {
 /// that bounces on the ground alone; see kSettlingTime.)
 inline constexpr std::int64_t kMostInelasticImpacts = 1000;
 
-/// The bounces of one ball on the ground follow each other in a geometric series of ratio e. When
-/// what is left of it is shorter than this (of the step), or the next one lower than this (of the
-/// size of the coordinates; rounding is not far), the ball has come to rest on the ground.
+/// The bounces of one ball on ground or wall follow each other in a geometric series of ratio e.
+/// When what is left of it is shorter than this (of the step), or the next one lower than this (of
+/// the size of the coordinates; rounding is not far), the surface holds the ball from then on.
 inline constexpr double kSettlingTime = 1e-6;
 inline constexpr double kSettlingHeight = 1e-14;
 
@@ -92,15 +92,15 @@ class ExactFlight {
                       Balls& balls);
   /// At an event, with the states of the cluster's balls in `balls`.
   IslandFate resolve(const StepInput& in, double time, Balls& balls);
-  /// m/s^2, to the ground, if the cluster is one ball that meets it alone; else 0.
+  /// m/s^2, to ground or wall, if the cluster is one ball that meets it alone; else 0.
   double pressingOfLoneBall(const StepInput& in, double time, const Balls& balls) const;
   /// True when the bounce of such a ball is the last that counts.
-  bool settles(double elasticity, double pressing, const Balls& balls) const;
+  bool settles(const Arena& arena, double elasticity, double pressing, const Balls& balls) const;
   /// Adds the next impact of pair p. False: its contact lasts.
   bool foresee(const StepInput& in, std::span<const Contact> pairs, std::uint32_t p);
   /// Ball i has followed its path until t.
   void book(const StepInput& in, std::uint32_t i, double t, const Balls& balls);
-  /// The ground may have taken hold of ball i, which had `before`.
+  /// A surface may have taken hold of ball i, which had `before`.
   void bookHold(std::uint32_t i, const BallState& before, const Balls& balls);
   void foreseeEndOfMotion(const StepInput& in, std::uint32_t ball);
   void add(const Event& event);

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "scenes/unit_balls.h"
-#include "support/grounded_ball.h"
+#include "support/held_ball.h"
 #include "support/oracle_world.h"
 #include "support/order.h"
 #include "support/run_world.h"
@@ -37,8 +37,9 @@ Vec3 endOf(const Case& c) {
   const World world = worldOf(c, 1);
   std::vector<oracle::SoftWell> wells{{oracle::pointOf(c.well), c.strength, 2}};
   oracle::Body body = oracle::bodiesOf(world)[0];
-  const oracle::Grounded grounded =
-      oracle::GroundedBall(wells, 9.81L, static_cast<double>(c.friction)).move(body, c.duration);
+  const oracle::HeldUntil grounded =
+      oracle::HeldBall(oracle::Support::Ground, wells, 9.81L, static_cast<double>(c.friction))
+          .move(body, c.duration);
   EXPECT_EQ(grounded.lifted, c.lifts) << c.name;
   if (!grounded.lifted) return oracle::vectorOf(body.x);
   oracle::Flyer flyer{body.x, body.v};

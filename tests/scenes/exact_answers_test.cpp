@@ -10,6 +10,7 @@
 #include <string>
 
 #include "scenes/catalogue.h"
+#include "support/held_ball.h"
 #include "support/oracle_world.h"
 
 namespace wells {
@@ -17,13 +18,13 @@ namespace {
 
 constexpr double kDigits = 2e-15;  // of the largest coordinate
 
-void expectAnswer(const char* scene, const std::vector<oracle::P>& end) {
+void expectAnswer(const char* scene, const std::vector<oracle::P>& end, double digits = kDigits) {
   const AccuracyCase& answer = findAccuracyCase(scene);
   ASSERT_EQ(answer.end.size(), end.size()) << scene;
   for (const auto& [ball, position] : answer.end) {
     const Vec3 expected = oracle::vectorOf(end.at(ball));
     for (int axis = 0; axis < 3; ++axis)
-      EXPECT_NEAR(position[axis], expected[axis], kDigits * std::max(1.0, length(expected)))
+      EXPECT_NEAR(position[axis], expected[axis], digits * std::max(1.0, length(expected)))
           << scene << ", ball " << ball << ", axis " << axis;
   }
 }
@@ -98,6 +99,34 @@ TEST(ExactAnswers, SlidingBecomesRolling) {
     expectAnswer(name,
                  {{v0 * t1 - mu * g * t1 * t1 / 2 + (5 * v0 - 2 * r * w0) / 7 * rest, 0.5L, 0}});
   }
+}
+
+// Round the wall by phi = v t / rho. With friction v' = -mu v^2 / rho until v = 5/7 v0; that is
+// after t1 = 2 rho / (5 mu v0), on the way rho / mu ln(7/5).
+TEST(ExactAnswers, AlongTheWall) {
+  const oracle::Real rho = 9.5L, v0 = 5, mu = 0.3L;
+  const auto at = [&](oracle::Real way) -> oracle::P {
+    return {rho * std::cos(way / rho), 1, -rho * std::sin(way / rho)};
+  };
+  expectAnswer("whispering-gallery", {at(v0 * 10)});
+  const oracle::Real t1 = 2 * rho / (5 * mu * v0);
+  expectAnswer("wall-slide-to-roll", {at(rho / mu * std::log(1.4L) + 5 * v0 / 7 * (5 - t1))});
+}
+
+// Rolling, the spin about the normal turns with the ball: y'' = -5/7 g - 2/7 Omega^2 (y - y0).
+TEST(ExactAnswers, RollingRoundTheWall) {
+  const oracle::Real rho = 9.5L, omega = 4, t = 10;
+  const oracle::Real fallen =
+      5 * 9.81L / (2 * omega * omega) * (1 - std::cos(std::sqrt(2 / 7.0L) * omega * t));
+  expectAnswer("wall-rolling",
+               {{rho * std::cos(omega * t), 5 - fallen, -rho * std::sin(omega * t)}});
+}
+
+TEST(ExactAnswers, RollingUnderAWell) {
+  const World world = makeScene(findScene("rolling-well"));
+  oracle::Body ball = oracle::bodiesOf(world)[0];
+  oracle::HeldBall(oracle::Support::Ground, {{{0, 0.5L, 0}, 8, 2}}, 9.81L, 0.3L).move(ball, 10);
+  expectAnswer("rolling-well", {ball.x}, 1e-13);
 }
 
 // e = 0.05 < 7 - 4 sqrt(3): the middle of three closes on both others for ever faster impacts. The
