@@ -70,6 +70,25 @@ TEST(Books, SlidingLosesTwoSeventhsToFriction) {
   expectClosed(r, 1e-13);
 }
 
+// The same round the wall, which turns the ball; the impulses of both are the wall's.
+TEST(Books, SlidingAlongTheWallLosesTwoSeventhsToFriction) {
+  const BookedRun r = run(makeScene(findScene("wall-slide-to-roll")), 300);
+  EXPECT_NEAR(r.books.friction, -25.0 / 7, 1e-10);
+  EXPECT_EQ(r.books.contacts, 0);
+  EXPECT_EQ(length(r.books.ground.linear), 0);
+  EXPECT_GT(length(r.books.wall.linear), 1);
+  expectClosed(r, 1e-12);
+}
+
+// What friction holds up does no work.
+TEST(Books, RollingRoundTheWallLosesNothing) {
+  const BookedRun r = run(makeScene(findScene("wall-rolling")), 600);
+  EXPECT_NEAR(r.books.friction, 0, 1e-10);
+  EXPECT_NEAR(r.books.flight, 0, 1e-6 * r.end.energy());
+  EXPECT_EQ(r.books.contacts, 0);
+  expectClosed(r, 1e-12);
+}
+
 // A ball that falls from the height 5 m keeps e^2 of its energy at each impact.
 TEST(Books, BouncesLoseWhatRestitutionTakes) {
   const BookedRun r =
