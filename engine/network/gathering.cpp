@@ -28,8 +28,8 @@ void Gathering::hear(std::size_t ball, std::int64_t step) {
 }
 
 void Gathering::compare(std::span<const Record> records, const Incarnation& peer,
-                        std::size_t bucket, const BucketDigest& theirs, std::int64_t recent,
-                        double now) {
+                        std::size_t bucket, const BucketDigest& theirs, double now,
+                        const std::function<bool(const Record&, std::int64_t step)>& isRecent) {
   auto& times = agreedAt_.try_emplace(peer, records.size(), kNever).first->second;
   // Where they differ, what the peer has said before no longer counts.
   const bool agrees = digestSum(records, bucket, theirs.known) == theirs.sum;
@@ -38,7 +38,7 @@ void Gathering::compare(std::span<const Record> records, const Incarnation& peer
   for (std::size_t ball = first; ball < end; ++ball) {
     if (!agrees)
       times[ball] = kNever;
-    else if (theirs.known[ball - first] || steps_[ball] >= recent)
+    else if (theirs.known[ball - first] || isRecent(records[ball], steps_[ball]))
       times[ball] = now;
   }
 }

@@ -3,11 +3,12 @@
 //
 // They agree by digests. A digest counts the balls whose owner the active peer has known for a
 // while; the others are changing hands right then, and for those it is enough to hold a state of a
-// recent step.
+// recent step from an owner that lives.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <span>
 #include <vector>
@@ -29,10 +30,11 @@ class Gathering {
   /// A state of `step`, or an offer with it, was heard and is held.
   void hear(std::size_t ball, std::int64_t step);
 
-  /// An active peer's digest of `bucket`, held against our records. A state of the step `recent` or
-  /// a later one is recent.
+  /// An active peer's digest of `bucket`, held against our records. `isRecent` tells of a record
+  /// and the step of the state that is held.
   void compare(std::span<const Record> records, const Incarnation& peer, std::size_t bucket,
-               const BucketDigest& theirs, std::int64_t recent, double now);
+               const BucketDigest& theirs, double now,
+               const std::function<bool(const Record&, std::int64_t step)>& isRecent);
 
   bool has(std::size_t ball) const { return steps_[ball] >= 0; }
   std::int64_t stepOf(std::size_t ball) const { return steps_[ball]; }

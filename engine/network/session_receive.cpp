@@ -89,7 +89,7 @@ void Session::hearDigests(const World& world, const Peer& other,
     const auto bucket = static_cast<std::size_t>(m.first_bucket + i);
     const BucketDigest theirs = digestOf(m.digests[static_cast<std::size_t>(i)]);
     if (phase_ == Phase::Syncing && theirsCount)
-      balls_.hearDigest(other.who, bucket, theirs, recent, now.monotonic);
+      balls_.hearDigest(other.who, bucket, theirs, recent, peers_.leases(), now.monotonic);
     if (phase_ != Phase::Active) continue;
     for (const std::uint32_t ball : balls_.wanted(bucket, theirs, other.phase, self_))
       schedule_.want(ball, now.monotonic - kAnswerInterval);

@@ -128,8 +128,12 @@ void SharedBalls::countDoubled(const World& world, const BallNews& news, const H
 }
 
 void SharedBalls::hearDigest(const Incarnation& peer, std::size_t bucket,
-                             const BucketDigest& theirs, std::int64_t recent, double now) {
-  gathering_.compare(records_, peer, bucket, theirs, recent, now);
+                             const BucketDigest& theirs, std::int64_t recent, const Leases& leases,
+                             double now) {
+  gathering_.compare(records_, peer, bucket, theirs, now,
+                     [&](const Record& record, std::int64_t step) {
+                       return step >= recent && leases.isLiving(record.version.owner, now);
+                     });
 }
 
 std::vector<std::uint32_t> SharedBalls::wanted(std::size_t bucket, const BucketDigest& theirs,

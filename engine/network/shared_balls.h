@@ -103,9 +103,10 @@ class SharedBalls {
   std::optional<Drop> hearOffer(World& world, const BallNews& news, const Party& self,
                                 const Hearing& hearing);
 
-  /// While gathering: an active peer's digest of a bucket. `recent` as in Gathering.
+  /// While gathering: an active peer's digest of a bucket. A state of the step `recent` or a later
+  /// one, from an owner whose lease lasts, is recent.
   void hearDigest(const Incarnation& peer, std::size_t bucket, const BucketDigest& theirs,
-                  std::int64_t recent, double now);
+                  std::int64_t recent, const Leases& leases, double now);
 
   /// While active: our own balls of a bucket that a peer in this phase seems not to know rightly.
   std::vector<std::uint32_t> wanted(std::size_t bucket, const BucketDigest& theirs,

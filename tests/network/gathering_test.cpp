@@ -21,6 +21,14 @@ class GatheringTest : public ::testing::Test {
     return digest;
   }
 
+  void compare(const Incarnation& peer, const BucketDigest& digest, double now,
+               std::int64_t recent) {
+    gathering_.compare(ours_, peer, 0, digest, now, [&](const Record& record, std::int64_t step) {
+      return step >= recent && record.version.owner == living_;
+    });
+  }
+
+  Incarnation living_ = kA;
   std::vector<Record> ours_{3, found(kGeneration, kA, 0)};
   std::vector<Record> theirs_ = ours_;
   Gathering gathering_{3};
@@ -35,7 +43,7 @@ TEST_F(GatheringTest, KnowsWhatIsHeldAndWhenItAgreed) {
   EXPECT_FALSE(gathering_.has(2));
   gathering_.hear(2, 4);
   EXPECT_EQ(gathering_.missing(), 0u);
-  gathering_.compare(ours_, kA, 0, digestOf({0, 1, 2}), 100, 1.0);
+  compare(kA, digestOf({0, 1, 2}), 1.0, 100);
   EXPECT_TRUE(gathering_.agrees(kPeers, 0));
   EXPECT_FALSE(gathering_.agrees(kPeers, 1.05)) << "that was confirmed too long ago";
   EXPECT_EQ(gathering_.latestStep(), 6);
@@ -48,46 +56,53 @@ TEST_F(GatheringTest, HearingAStateIsNotEnough) {
 
 TEST_F(GatheringTest, ADigestThatDiffersConfirmsNothing) {
   for (std::size_t ball = 0; ball < 3; ++ball) gathering_.hear(ball, 5);
-  gathering_.compare(ours_, kA, 0, digestOf({0, 1, 2}), 100, 1.0);
+  compare(kA, digestOf({0, 1, 2}), 1.0, 100);
   EXPECT_TRUE(gathering_.agrees(kPeers, 1.0));
   theirs_[1].version.owner = kB;
   theirs_[1].version.epoch = 1;
-  gathering_.compare(ours_, kA, 0, digestOf({0, 1, 2}), 100, 2.0);
+  compare(kA, digestOf({0, 1, 2}), 2.0, 100);
   EXPECT_FALSE(gathering_.agrees(kPeers, 0));
 }
 
 TEST_F(GatheringTest, WhatADigestDoesNotCountIsLeftToALaterOne) {
   for (std::size_t ball = 0; ball < 3; ++ball) gathering_.hear(ball, 5);
-  gathering_.compare(ours_, kA, 0, digestOf({0, 2}), 100, 2.0);
+  compare(kA, digestOf({0, 2}), 2.0, 100);
   EXPECT_FALSE(gathering_.agrees(kPeers, 0)) << "nothing has been said of ball 1";
-  gathering_.compare(ours_, kA, 0, digestOf({0, 1}), 100, 2.1);
+  compare(kA, digestOf({0, 1}), 2.1, 100);
   EXPECT_TRUE(gathering_.agrees(kPeers, 2.0));
   EXPECT_FALSE(gathering_.agrees(kPeers, 2.05)) << "ball 2 is not in the last one";
 }
 
 TEST_F(GatheringTest, OfWhatADigestDoesNotCountARecentStateIsEnough) {
   for (std::size_t ball = 0; ball < 3; ++ball) gathering_.hear(ball, 100);
-  gathering_.compare(ours_, kA, 0, digestOf({0, 2}), 101, 2.0);
+  compare(kA, digestOf({0, 2}), 2.0, 101);
   EXPECT_FALSE(gathering_.agrees(kPeers, 0));
-  gathering_.compare(ours_, kA, 0, digestOf({0, 2}), 100, 2.0);
+  compare(kA, digestOf({0, 2}), 2.0, 100);
   EXPECT_TRUE(gathering_.agrees(kPeers, 0));
+}
+
+TEST_F(GatheringTest, AStateFromAnOwnerThatIsGoneSaysNothing) {
+  for (std::size_t ball = 0; ball < 3; ++ball) gathering_.hear(ball, 100);
+  living_ = kB;
+  compare(kA, digestOf({0, 2}), 2.0, 100);
+  EXPECT_FALSE(gathering_.agrees(kPeers, 0)) << "somebody adopts it";
 }
 
 TEST_F(GatheringTest, ABallThatTheOtherHasJustAdoptedDoesNotHideThatWeKnewAnOldOwner) {
   for (std::size_t ball = 0; ball < 3; ++ball) gathering_.hear(ball, 5);
   theirs_[1].version.epoch = 1;
-  gathering_.compare(ours_, kA, 0, digestOf({0, 1, 2}), 100, 1.0);
+  compare(kA, digestOf({0, 1, 2}), 1.0, 100);
   theirs_[1].version.term = 1;
-  gathering_.compare(ours_, kA, 0, digestOf({0, 2}), 100, 1.1);
+  compare(kA, digestOf({0, 2}), 1.1, 100);
   EXPECT_FALSE(gathering_.agrees(kPeers, 0));
 }
 
 TEST_F(GatheringTest, AgreesWithAllWhoAreNamed) {
   for (std::size_t ball = 0; ball < 3; ++ball) gathering_.hear(ball, 5);
-  gathering_.compare(ours_, kA, 0, digestOf({0, 1, 2}), 100, 1.0);
+  compare(kA, digestOf({0, 1, 2}), 1.0, 100);
   const std::vector<Incarnation> both{kA, kB};
   EXPECT_FALSE(gathering_.agrees(both, 0));
-  gathering_.compare(ours_, kB, 0, digestOf({0, 1, 2}), 100, 1.0);
+  compare(kB, digestOf({0, 1, 2}), 1.0, 100);
   EXPECT_TRUE(gathering_.agrees(both, 0));
 }
 
