@@ -72,6 +72,13 @@ TEST(SimBenchmark, ElasticBlockKeepsTheEnergy) {
   }
 }
 
+// Balls are thrown out of the block's midst, much faster than they came, within steps in which many
+// others meet: also then nobody is left to substeps.
+TEST(SimBenchmark, ElasticBlockKeepsTheEnergyAtCoarseSteps) {
+  for (const double dt : {1.0 / 60, 1.0 / 30, 2.0 / 15})
+    EXPECT_LE(simulate("elastic-666", 1, dt, 10).energyError, 1e-9) << dt;
+}
+
 TEST(SimBenchmark, BlockHardlyOverlaps) {
   const Result result = simulate("666", 1, 0.001, 10);
   EXPECT_LE(result.penetration, 1e-6);
