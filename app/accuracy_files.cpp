@@ -99,9 +99,10 @@ std::string overviewText(std::span<const CaseReach> reaches) {
     return fmt::format("{:<22} {:>9} {:>9} {:>9} {:>9} {:>9}  {:>26} {:>26} {:>26}\n", cells...);
   };
   std::string text = fmt::format(
-      "Least CPU time of the steps to an error; ours by default ({}), the best of "
-      "the custom\nintegrator's variants as published, the best of those with textbook methods, "
-      "stock Bullet; and how many\ntimes the time of ours they need.\n\n",
+      "Least CPU time of the steps to an error (conditions.txt says of what); ours by default "
+      "({}), "
+      "the\nbest of the custom integrator's variants as published, the best of those with textbook "
+      "methods, stock\nBullet; and how many times the time of ours they need.\n\n",
       name(defaultMethod()));
   text += row("case", "error", "ours", "published", "textbook", "Bullet", "published / ours",
               "textbook / ours", "Bullet / ours");
@@ -119,8 +120,8 @@ std::string conditionsText(std::span<const CaseResult> cases, std::string_view c
       "Error, from a run of its own: in m the largest distance of a ball from the exact answer at "
       "the end;\nin 1 the root mean square of what the energy is off, relative to that of the "
       "start; in m^2 the mean of\nthe sum of the squares of all overlaps (means over the states "
-      "with which steps begin).\nCPU time: of the process, in the step calls alone, of an engine "
-      "that has run before; "
+      "with which steps begin).\n"
+      "CPU time: of the process, in the step calls alone, of an engine that has run before; "
       "median. Bullet,\nwhich cannot start over, is made anew; its first step, which builds its "
       "world, is not timed but\ncounted like the others.\nBooks (.._J): of runs of up to {} "
       "steps.\n\nNot run:\n",

@@ -154,6 +154,33 @@ auto withProgress(const RunGoal& goal, Run run) {
   });
 }
 
+BenchResult runScene(const BenchOptions& options) {
+  const Scene& scene = findScene(options.scene);
+  const std::int64_t steps = options.steps > 0 ? options.steps : scene.defaultSteps;
+  const auto newStepper = [&] {
+    return makeEngine(options.engine, scene.sleeping ? Sleeping::On : Sleeping::Off);
+  };
+  World world = sceneWorld(options);
+  const auto stepper = newStepper();
+  const BenchFrom from = options.from == "settled" ? BenchFrom::Settled : BenchFrom::Start;
+  if (from == BenchFrom::Settled)
+    withProgress({.dt = world.settings.dt},
+                 [&](const auto& progress) { settle(*stepper, world, progress); });
+  const auto booking = newStepper();  // starts where the timed one does
+  if (stepper->memory()) booking->restore(*stepper->memory());
+
+  const RunGoal goal{.steps = steps, .dt = world.settings.dt, .hasEnd = true};
+  BenchResult result = withProgress(goal, [&](const auto& progress) {
+    return benchmark(*stepper, world, steps, from, progress);
+  });
+  if (!options.noBooks)
+    result.books = withProgress(
+        goal, [&](const auto& progress) { return bookedRun(*booking, world, steps, progress); });
+  result.scene = options.scene;
+  result.threads = options.threads;
+  return result;
+}
+
 }  // namespace
 
 int runBench(std::span<const std::string> arguments, char** argv) {
@@ -178,29 +205,7 @@ int runBench(std::span<const std::string> arguments, char** argv) {
   if (!options.csv.empty()) checkCsv(options.csv);
   becomeExecutableOf(options.engine, argv);
 
-  const Scene& scene = findScene(options.scene);
-  const std::int64_t steps = options.steps > 0 ? options.steps : scene.defaultSteps;
-  const auto newStepper = [&] {
-    return makeEngine(options.engine, scene.sleeping ? Sleeping::On : Sleeping::Off);
-  };
-  World world = sceneWorld(options);
-  const auto stepper = newStepper();
-  const BenchFrom from = options.from == "settled" ? BenchFrom::Settled : BenchFrom::Start;
-  if (from == BenchFrom::Settled)
-    withProgress({.dt = world.settings.dt},
-                 [&](const auto& progress) { settle(*stepper, world, progress); });
-  const auto booking = newStepper();
-  if (stepper->memory()) booking->restore(*stepper->memory());
-
-  const RunGoal goal{.steps = steps, .dt = world.settings.dt, .hasEnd = true};
-  BenchResult result = withProgress(goal, [&](const auto& progress) {
-    return benchmark(*stepper, world, steps, from, progress);
-  });
-  if (!options.noBooks)
-    result.books = withProgress(
-        goal, [&](const auto& progress) { return bookedRun(*booking, world, steps, progress); });
-  result.scene = options.scene;
-  result.threads = options.threads;
+  const BenchResult result = runScene(options);
   if (options.csv.empty())
     fmt::print("{}\n{}\n", csvHeader(), csvRow(result));
   else

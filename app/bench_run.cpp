@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "bench_row.h"
-#include "bench_settling.h"
 
 namespace wells {
 namespace {
@@ -39,11 +38,7 @@ BenchResult benchmark(Stepper& stepper, World world, std::int64_t steps, BenchFr
   result.dt = world.settings.dt;
   result.steps = steps;
   result.start = measure(world);
-  std::optional<RestWatch> watch;
-  if (from == BenchFrom::Settled) {
-    watch.emplace(world);
-    result.settled = AfterSettling{.time = world.time()};
-  }
+  if (from == BenchFrom::Settled) result.rest.emplace(world);
   std::vector<Clock::duration> times;
   times.reserve(static_cast<std::size_t>(steps));
   Clock::time_point reported = Clock::now();
@@ -52,7 +47,7 @@ BenchResult benchmark(Stepper& stepper, World world, std::int64_t steps, BenchFr
     stepper.step(world);
     const auto after = Clock::now();
     times.push_back(after - before);
-    if (watch) watch->add(world);
+    if (result.rest) result.rest->add(world);
     result.shares.add(stepper.counts(), world.balls.size());
     if (after - reported > std::chrono::milliseconds(100)) {
       progress(step + 1);
@@ -63,10 +58,6 @@ BenchResult benchmark(Stepper& stepper, World world, std::int64_t steps, BenchFr
   result.msPerStep = meanMilliseconds(times);
   result.msPerStepLast100 = meanMilliseconds(std::span(times).last(last));
   result.end = measure(world);
-  if (watch) {
-    result.settled->moved = watch->moved();
-    result.settled->kineticRise = watch->kineticRise();
-  }
   result.engine = stepper.name();
   result.integrator = stepper.integrator();
   result.contacts = stepper.contactMethod();
@@ -101,9 +92,9 @@ std::string csvRow(const BenchResult& r) {
       r.scene, r.engine, csvField(r.integrator), csvField(r.contacts), r.balls, r.dt, r.steps,
       r.threads, r.msPerStep, r.msPerStepLast100, r.end.worstOverlap(), r.start.energy(),
       r.end.energy(), r.start.kineticEnergy, r.end.kineticEnergy, r.end.escaped,
-      r.settled ? fmt::format("{:.6g},{:.6g},{:.6g}", r.settled->time, r.settled->moved,
-                              r.settled->kineticRise)
-                : ",,",
+      r.rest ? fmt::format("{:.6g},{:.6g},{:.6g}", r.rest->settledAt(), r.rest->moved(),
+                           r.rest->kineticRise())
+             : ",,",
       stepColumns(r.shares, r.books), r.peakRss, hashText(r.stateHash), buildColumns());
 }
 

@@ -7,17 +7,11 @@
 #include <optional>
 #include <string>
 
+#include "bench_settling.h"
 #include "state/contact_shares.h"
 #include "world/measures.h"
 
 namespace wells {
-
-/// Of a benchmark that starts from a settled world.
-struct AfterSettling {
-  double time = 0;         // s, of the world, at which it had settled
-  double moved = 0;        // m, see RestWatch
-  double kineticRise = 0;  // J
-};
 
 enum class BenchFrom : std::uint8_t { Start, Settled };
 
@@ -34,7 +28,7 @@ struct BenchResult {
   double msPerStepLast100 = 0;  // of the last 100 steps, or of all if there are fewer
   Measures start;
   Measures end;
-  std::optional<AfterSettling> settled;
+  std::optional<RestWatch> rest;  // of a benchmark from settled
   ContactShares shares;
   std::optional<Books> books;  // of a run of its own; nothing where the engine keeps none
   double peakRss = 0;          // MiB, of the whole process

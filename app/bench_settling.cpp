@@ -27,7 +27,9 @@ void settle(Stepper& stepper, World& world, const std::function<void(std::int64_
 }
 
 RestWatch::RestWatch(const World& settled)
-    : start_(settled.balls.position), leastEnergy_(kineticEnergy(settled.balls)) {}
+    : settledAt_(settled.time()),
+      start_(settled.balls.position),
+      leastEnergy_(kineticEnergy(settled.balls)) {}
 
 void RestWatch::add(const World& world) {
   for (std::size_t i = 0; i < start_.size(); ++i)

@@ -25,6 +25,9 @@ class RestWatch {
   /// After each step. O(N).
   void add(const World& world);
 
+  /// s, of the world, when it had settled.
+  double settledAt() const { return settledAt_; }
+
   /// m, the furthest that a ball ever was from where it was when the world had settled.
   double moved() const { return moved_; }
 
@@ -32,6 +35,7 @@ class RestWatch {
   double kineticRise() const { return rise_; }
 
  private:
+  double settledAt_;
   std::vector<Vec3> start_;
   double leastEnergy_;  // J
   double moved_ = 0;

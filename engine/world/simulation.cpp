@@ -206,6 +206,10 @@ class Simulation : public Stepper {
           if (!contactMemory_.isEmpty() && c.gap < -tolerated && world.owns(c.a) && world.owns(c.b))
             ++counts_.latePairs;
         });
+    // Where friction has just been switched off, no solver would ever take these back.
+    if (world.settings.friction == 0)
+      for (auto* contacts : {&plan_.ballContacts, &plan_.arenaContacts})
+        for (Contact& c : *contacts) c.tangentImpulse.setZero();
   }
 
   void planFlights(const World& world) {
