@@ -108,9 +108,10 @@ std::string overviewText(std::span<const CaseReach> reaches) {
               "textbook / ours", "Bullet / ours");
   for (const CaseReach& r : reaches)
     text += row(r.error == kComparedErrors[0] ? r.scene : "",
-                fmt::format("{:g} {}", r.error, r.unit), readable(r.ours), readable(r.published),
-                readable(r.textbook), readable(r.bullet), ratioText(r.ours, r.published),
-                ratioText(r.ours, r.textbook), ratioText(r.ours, r.bullet));
+                fmt::format("{:g}{}", r.error, r.unit == "1" ? "" : fmt::format(" {}", r.unit)),
+                readable(r.ours), readable(r.published), readable(r.textbook), readable(r.bullet),
+                ratioText(r.ours, r.published), ratioText(r.ours, r.textbook),
+                ratioText(r.ours, r.bullet));
   return text;
 }
 
