@@ -107,8 +107,7 @@ void Session::addDigests(gravity_wells::heartbeat_t& m, Times now) {
   const std::size_t end = std::min<std::size_t>(nextBucket_ + kMaxBucketsInMessage, buckets);
   m.first_bucket = static_cast<std::int32_t>(nextBucket_);
   for (; nextBucket_ < end; ++nextBucket_)
-    m.digests.push_back(
-        digestMessage(balls_.digest(nextBucket_, phase_, now.monotonic - kKnown)));
+    m.digests.push_back(digestMessage(balls_.digest(nextBucket_, phase_, now.monotonic - kKnown)));
   m.buckets = static_cast<std::int32_t>(m.digests.size());
 }
 
