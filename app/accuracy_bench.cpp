@@ -82,7 +82,8 @@ Ladder runElsewhere(const AccuracyOptions& options, const std::string& scene,
 }
 
 CaseResult runCase(const AccuracyOptions& options, const AccuracyCase& answer, Progress& progress) {
-  CaseResult result{std::string(answer.scene), std::string(answer.about), answer.duration, {}};
+  CaseResult result{
+      std::string(answer.scene), std::string(answer.about), answer.duration, answer.error, {}};
   for (const std::string& engine : options.engines)
     for (const Method& method : methodsOf(engine)) {
       progress.begin(answer.scene, method);
@@ -109,7 +110,8 @@ int writePoints(const AccuracyOptions& options, char** argv) {
 
 void listCases() {
   for (const AccuracyCase& answer : accuracyCases())
-    fmt::print("{:22} {:>5} s  {}\n", answer.scene, answer.duration, answer.about);
+    fmt::print("{:22} {:>5} s  {:>3}  {}\n", answer.scene, answer.duration, unitOf(answer.error),
+               answer.about);
 }
 
 void makeFolder(const fs::path& folder) {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scenes/exact_answers.h"
 #include "work_precision.h"
 
 namespace wells {
@@ -15,21 +16,23 @@ struct CaseResult {
   std::string scene;
   std::string about;
   double duration = 0;  // s
+  ErrorKind error = ErrorKind::Position;
   std::vector<Ladder> ladders;
 };
 
 /// How soon the methods of a case are within an error.
 struct CaseReach {
   std::string scene;
-  double error = 0;  // m
-  Reach ours;        // the default method
+  double error = 0;
+  std::string_view unit;  // of the error
+  Reach ours;             // the default method
   Reach bestOfOurs;
   Reach published;  // the best of the custom integrator's variants as published
   Reach textbook;   // the best of those with the textbook methods that they are named after
   Reach bullet;
 };
 
-/// The errors (m) at which methods are compared.
+/// The errors, in the unit of the case, at which methods are compared.
 std::span<const double> comparedErrors();
 
 /// For each case all of comparedErrors().

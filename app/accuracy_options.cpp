@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
+
 #include "command_line.h"
 #include "engines.h"
 #include "errors.h"
@@ -30,12 +33,26 @@ CLI::Option* addPath(CLI::App& app, const std::string& option, std::filesystem::
       ->type_name(type);
 }
 
+/// Falling, each once.
+std::vector<double> parseStepSizes(const std::string& text) {
+  const Range allowed = Range::between(1e-6, 1);
+  std::vector<double> sizes;
+  parseOption("--dt", text,
+              fmt::format("numbers {}, in s, with commas between them", allowed.text()), [&] {
+                for (const std::string_view word : splitAtCommas(text))
+                  sizes.push_back(parseNumber(trimmed(word), allowed));
+              });
+  std::sort(sizes.begin(), sizes.end(), std::greater<>());
+  sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
+  return sizes;
+}
+
 }  // namespace
 
 std::optional<AccuracyOptions> parseAccuracyOptions(std::span<const std::string> arguments) {
   CLI::App app{
-      "Error against CPU time: runs the cases with exact answers for ever smaller steps with every "
-      "engine and method.\n"
+      "Error against CPU time: runs the cases whose answer is known for ever smaller steps with "
+      "every engine and method.\n"
       "Writes a table (CSV), a gnuplot script and a plot (PNG) for each case and an overview of "
       "all. The whole takes less than ten minutes.",
       "./run.sh bench accuracy"};
@@ -47,6 +64,11 @@ std::optional<AccuracyOptions> parseAccuracyOptions(std::span<const std::string>
             "default: all: " + joined(engineNames(), ", "));
   addPath(app, "--out", options.out, "FOLDER", "for all files (default out/accuracy)");
   addInteger(app, "--repeats", repeats, 1, 100, "of each timing; the median counts (default 3)");
+  app.add_option_function<std::string>(
+         "--dt",
+         [&](const std::string& value) { options.limits.stepSizes = parseStepSizes(value); },
+         "these step sizes instead of ever smaller ones, however long they take")
+      ->type_name("s,...");
   app.add_option_function<std::string>(
          "--longest-run",
          [&](const std::string& value) {
@@ -62,7 +84,8 @@ std::optional<AccuracyOptions> parseAccuracyOptions(std::span<const std::string>
   if (parseArguments(app, arguments) == Parsed::HelpShown) return {};
 
   if (options.isQuick)
-    options.limits = {.rungs = kQuickRungs,
+    options.limits = {.stepSizes = options.limits.stepSizes,
+                      .rungs = kQuickRungs,
                       .longestRun = kQuickLongestRun,
                       .shortestTiming = kQuickShortestTiming,
                       .repeats = 1};
@@ -81,6 +104,11 @@ std::vector<std::string> accuracyArguments(const AccuracyOptions& options, const
                                         "--repeats",     std::to_string(options.limits.repeats),
                                         "--longest-run", formatNumber(options.limits.longestRun)};
   if (options.isQuick) arguments.push_back("--quick");
+  if (!options.limits.stepSizes.empty()) {
+    std::vector<std::string> sizes;
+    for (const double dt : options.limits.stepSizes) sizes.push_back(formatNumber(dt));
+    arguments.insert(arguments.end(), {"--dt", joined(sizes, ",")});
+  }
   return arguments;
 }
 

@@ -9,6 +9,7 @@
 
 #include "accuracy_task.h"
 #include "accuracy_timing.h"
+#include "case_error.h"
 #include "engines.h"
 #include "errors.h"
 #include "flight/integrators.h"
@@ -29,13 +30,15 @@ WorkPoint measureErrors(const AccuracyTask& task) {
   WorkPoint point;
   point.dt = task.dt();
   point.steps = task.steps;
+  CaseError error(task.answer, world);
   for (std::int64_t step = 0; step < task.steps; ++step) {
+    error.beginStep(world);
     stepper->step(world);
     point.shares.add(stepper->counts(), world.balls.size());
   }
   if (hasBooks) point.books = *stepper->books();
   const Measures end = measure(world);
-  point.error = positionError(task.answer, world);
+  point.error = error.atTheEnd(world);
   point.energyError = conservesEnergy(world)
                           ? std::abs(end.energy() - start.energy()) /
                                 (std::abs(start.kineticEnergy) + std::abs(start.potentialEnergy))
@@ -55,6 +58,14 @@ WorkPoint run(const AccuracyTask& task, const LadderLimits& limits) {
   point.cpu = median(times);
   point.repeats = limits.repeats;
   return point;
+}
+
+std::vector<std::int64_t> stepCounts(double duration, const LadderLimits& limits) {
+  if (limits.stepSizes.empty()) return stepLadder(duration, limits.coarsestStep, limits.rungs);
+  std::vector<std::int64_t> counts;
+  for (const double dt : limits.stepSizes)
+    counts.push_back(std::max<std::int64_t>(2, std::llround(duration / dt)));
+  return counts;
 }
 
 }  // namespace
@@ -83,10 +94,10 @@ Ladder runLadder(const AccuracyCase& answer, const Method& method, const LadderL
     ladder.method = {method.engine, stepper->integrator(), stepper->contactMethod()};
   }
   double timeOfStep = 0;  // s, with the last step size
-  for (const std::int64_t steps : stepLadder(answer.duration, limits.coarsestStep, limits.rungs)) {
+  for (const std::int64_t steps : stepCounts(answer.duration, limits)) {
     const AccuracyTask task{answer, findScene(answer.scene), method, steps};
     const double expected = timeOfStep * static_cast<double>(steps);
-    if (expected > limits.longestRun) {
+    if (limits.stepSizes.empty() && expected > limits.longestRun) {
       ladder.notes.push_back(
           fmt::format("dt = {:.3g} s and below: not run, {} steps would take "
                       "{:.2g} s, and {} s is the most",
@@ -104,7 +115,7 @@ Ladder runLadder(const AccuracyCase& answer, const Method& method, const LadderL
       ladder.notes.push_back(fmt::format("dt = {:.3g} s: given up: {}", task.dt(), error.what()));
       timeOfStep = (cpuTime() - start) / static_cast<double>(steps);
     }
-    if (isAtRounding(ladder.points)) {
+    if (limits.stepSizes.empty() && isAtRounding(ladder.points)) {
       ladder.notes.push_back(
           fmt::format("below dt = {:.3g} s: not run, the error is at rounding already", task.dt()));
       break;

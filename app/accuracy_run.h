@@ -14,6 +14,7 @@ namespace wells {
 
 /// What bounds a ladder.
 struct LadderLimits {
+  std::vector<double> stepSizes;   // s, falling; not empty: these alone, however long they take
   double coarsestStep = 2.0 / 15;  // s; with it 1/60 s is the fourth
   int rungs = 20;
   double longestRun = 0.15;      // s of CPU time; a step size that would take longer is not run

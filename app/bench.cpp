@@ -9,6 +9,7 @@
 
 #include "accuracy_bench.h"
 #include "bench_run.h"
+#include "bench_settling.h"
 #include "command_line.h"
 #include "engines.h"
 #include "errors.h"
@@ -18,6 +19,7 @@
 #include "stress_bench.h"
 #include "text_file.h"
 #include "values.h"
+#include "world/settling.h"
 
 namespace wells {
 namespace {
@@ -30,6 +32,7 @@ constexpr std::int64_t kMostSteps = 1'000'000'000;
 struct BenchOptions {
   std::string scene = "T1";
   std::string engine = "ours";
+  std::string from = "start";
   std::string integrator;       // empty: the scene's
   std::string contacts;         // empty: the scene's
   std::int64_t balls = 0;       // 0: the scene's default
@@ -58,6 +61,14 @@ void addOptions(CLI::App& app, BenchOptions& options) {
             if (!contactMethod(name))
               throw std::invalid_argument(fmt::format("no such contact method; allowed: {}",
                                                       fmt::join(kContactMethodNames, ", ")));
+          });
+  addName(app, "--from", options.from,
+          fmt::format("start, or settled: what is reported begins when the kinetic energy has been "
+                      "below {:g} of its peak for {} s (default start)",
+                      kSettledShare, kSettledTime),
+          [](std::string_view name) {
+            if (name != "start" && name != "settled")
+              throw std::invalid_argument("no such moment; allowed: start, settled");
           });
   addInteger(app, "--balls", options.balls, 1, kMostBalls, "default: the scene's");
   addInteger(app, "--steps", options.steps, 1, kMostSteps, "default: the scene's");
@@ -132,8 +143,8 @@ World sceneWorld(const BenchOptions& options) {
 
 /// Calls run(progress) under a progress line.
 template <class Run>
-auto withProgress(std::int64_t steps, double dt, Run run) {
-  const ProgressLine line({.steps = steps, .dt = dt, .hasEnd = true}, ProgressLine::Shown::Yes);
+auto withProgress(const RunGoal& goal, Run run) {
+  const ProgressLine line(goal, ProgressLine::Shown::Yes);
   const auto start = std::chrono::steady_clock::now();
   RunProgress progress;
   return run([&](std::int64_t done) {
@@ -141,6 +152,33 @@ auto withProgress(std::int64_t steps, double dt, Run run) {
     line.show(progress,
               std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   });
+}
+
+BenchResult runScene(const BenchOptions& options) {
+  const Scene& scene = findScene(options.scene);
+  const std::int64_t steps = options.steps > 0 ? options.steps : scene.defaultSteps;
+  const auto newStepper = [&] {
+    return makeEngine(options.engine, scene.sleeping ? Sleeping::On : Sleeping::Off);
+  };
+  World world = sceneWorld(options);
+  const auto stepper = newStepper();
+  const BenchFrom from = options.from == "settled" ? BenchFrom::Settled : BenchFrom::Start;
+  if (from == BenchFrom::Settled)
+    withProgress({.dt = world.settings.dt},
+                 [&](const auto& progress) { settle(*stepper, world, progress); });
+  const auto booking = newStepper();  // starts where the timed one does
+  if (stepper->memory()) booking->restore(*stepper->memory());
+
+  const RunGoal goal{.steps = steps, .dt = world.settings.dt, .hasEnd = true};
+  BenchResult result = withProgress(goal, [&](const auto& progress) {
+    return benchmark(*stepper, world, steps, from, progress);
+  });
+  if (!options.noBooks)
+    result.books = withProgress(
+        goal, [&](const auto& progress) { return bookedRun(*booking, world, steps, progress); });
+  result.scene = options.scene;
+  result.threads = options.threads;
+  return result;
 }
 
 }  // namespace
@@ -167,21 +205,7 @@ int runBench(std::span<const std::string> arguments, char** argv) {
   if (!options.csv.empty()) checkCsv(options.csv);
   becomeExecutableOf(options.engine, argv);
 
-  const Scene& scene = findScene(options.scene);
-  const std::int64_t steps = options.steps > 0 ? options.steps : scene.defaultSteps;
-  const auto newStepper = [&] {
-    return makeEngine(options.engine, scene.sleeping ? Sleeping::On : Sleeping::Off);
-  };
-  const World world = sceneWorld(options);
-  BenchResult result = withProgress(steps, world.settings.dt, [&](const auto& progress) {
-    return benchmark(*newStepper(), world, steps, progress);
-  });
-  if (!options.noBooks)
-    result.books = withProgress(steps, world.settings.dt, [&](const auto& progress) {
-      return bookedRun(*newStepper(), world, steps, progress);
-    });
-  result.scene = options.scene;
-  result.threads = options.threads;
+  const BenchResult result = runScene(options);
   if (options.csv.empty())
     fmt::print("{}\n{}\n", csvHeader(), csvRow(result));
   else

@@ -31,13 +31,14 @@ double peakRssMiB() {
 
 }  // namespace
 
-BenchResult benchmark(Stepper& stepper, World world, std::int64_t steps,
+BenchResult benchmark(Stepper& stepper, World world, std::int64_t steps, BenchFrom from,
                       const std::function<void(std::int64_t)>& progress) {
   BenchResult result;
   result.balls = world.balls.size();
   result.dt = world.settings.dt;
   result.steps = steps;
   result.start = measure(world);
+  if (from == BenchFrom::Settled) result.rest.emplace(world);
   std::vector<Clock::duration> times;
   times.reserve(static_cast<std::size_t>(steps));
   Clock::time_point reported = Clock::now();
@@ -46,6 +47,7 @@ BenchResult benchmark(Stepper& stepper, World world, std::int64_t steps,
     stepper.step(world);
     const auto after = Clock::now();
     times.push_back(after - before);
+    if (result.rest) result.rest->add(world);
     result.shares.add(stepper.counts(), world.balls.size());
     if (after - reported > std::chrono::milliseconds(100)) {
       progress(step + 1);
@@ -77,17 +79,23 @@ std::optional<Books> bookedRun(Stepper& stepper, World world, std::int64_t steps
 std::string csvHeader() {
   return fmt::format(
       "scene,engine,integrator,contacts,balls,dt,steps,threads,ms_per_step,ms_per_step_last100,"
-      "max_overlap_m,energy_start_J,energy_end_J,escaped,{},peak_rss_MiB,state_hash,{}",
+      "max_overlap_m,energy_start_J,energy_end_J,kinetic_start_J,kinetic_end_J,escaped,settled_s,"
+      "moved_m,"
+      "kinetic_rise_J,{},peak_rss_MiB,state_hash,{}",
       kStepColumns, kBuildColumns);
 }
 
 std::string csvRow(const BenchResult& r) {
   return fmt::format(
-      "{},{},{},{},{},{:.17g},{},{},{:.6g},{:.6g},{:.6g},{:.17g},{:.17g},{},{},{:.1f},{},{}",
+      "{},{},{},{},{},{:.17g},{},{},{:.6g},{:.6g},{:.6g},{:.17g},{:.17g},{:.6g},{:.6g},{},{},{},"
+      "{:.1f},{},{}",
       r.scene, r.engine, csvField(r.integrator), csvField(r.contacts), r.balls, r.dt, r.steps,
       r.threads, r.msPerStep, r.msPerStepLast100, r.end.worstOverlap(), r.start.energy(),
-      r.end.energy(), r.end.escaped, stepColumns(r.shares, r.books), r.peakRss,
-      hashText(r.stateHash), buildColumns());
+      r.end.energy(), r.start.kineticEnergy, r.end.kineticEnergy, r.end.escaped,
+      r.rest ? fmt::format("{:.6g},{:.6g},{:.6g}", r.rest->settledAt(), r.rest->moved(),
+                           r.rest->kineticRise())
+             : ",,",
+      stepColumns(r.shares, r.books), r.peakRss, hashText(r.stateHash), buildColumns());
 }
 
 }  // namespace wells

@@ -7,10 +7,13 @@
 #include <optional>
 #include <string>
 
+#include "bench_settling.h"
 #include "state/contact_shares.h"
 #include "world/measures.h"
 
 namespace wells {
+
+enum class BenchFrom : std::uint8_t { Start, Settled };
 
 struct BenchResult {
   std::string scene;
@@ -25,18 +28,20 @@ struct BenchResult {
   double msPerStepLast100 = 0;  // of the last 100 steps, or of all if there are fewer
   Measures start;
   Measures end;
+  std::optional<RestWatch> rest;  // of a benchmark from settled
   ContactShares shares;
   std::optional<Books> books;  // of a run of its own; nothing where the engine keeps none
   double peakRss = 0;          // MiB, of the whole process
   std::uint64_t stateHash = 0;
 };
 
-/// Steps `world` and measures before and after; nothing but the steps is timed. `progress` is
-/// called with the number of steps done, about ten times a second at most.
-BenchResult benchmark(Stepper& stepper, World world, std::int64_t steps,
+/// Steps `world` and measures before and after; nothing but the steps is timed. Settled: watches
+/// what still moves. `progress` is called with the number of steps done, about ten times a second
+/// at most.
+BenchResult benchmark(Stepper& stepper, World world, std::int64_t steps, BenchFrom from,
                       const std::function<void(std::int64_t)>& progress);
 
-/// Steps the same world again with a new stepper that keeps books, so that keeping them is not in
+/// Steps the same world again with another stepper that keeps books, so that keeping them is not in
 /// the times. Nothing where it cannot.
 std::optional<Books> bookedRun(Stepper& stepper, World world, std::int64_t steps,
                                const std::function<void(std::int64_t)>& progress);

@@ -16,10 +16,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kLowestShown = 1e-16;  // m
-constexpr double kExact = 1e-9;         // m, at any step
-constexpr double kHighestShown = 1e3;   // m
-constexpr int kCellWidth = 480;         // pixels, in the overview
+// Errors, in the unit of the case.
+constexpr double kLowestShown = 1e-16;
+constexpr double kExact = 1e-9;  // at any step
+constexpr double kHighestShown = 1e3;
+
+constexpr int kCellWidth = 480;  // pixels, in the overview
 constexpr int kCellHeight = 380;
 constexpr int kMostColumns = 5;
 
@@ -73,7 +75,7 @@ std::string plotLines(const CaseResult& result, Legend legend, double scale) {
   for (const Ladder& ladder : inDrawingOrder(result.ladders)) {
     lines += fmt::format(
         "{} \\\n  '{}.csv' using (is('{}', '{}', '{}') ? column('cpu_s') : NaN)"
-        ":(clipped(column('error_m'))) with linespoints {} {}",
+        ":(clipped(column('error'))) with linespoints {} {}",
         lines == "plot" ? "" : ",", result.scene, ladder.method.engine, ladder.method.integrator,
         ladder.method.contacts, plotStyle(ladder.method, scale),
         legend == Legend::Shown ? fmt::format("title \"{}\"", label(ladder)) : "notitle");
@@ -127,9 +129,10 @@ std::string caseScript(const CaseResult& result) {
          fmt::format(
              "set title \"{{/:Bold {}}}: {}\"\n"
              "set xlabel 'CPU time of the steps until t = {:g} s (s)'\n"
-             "set ylabel 'largest error of a position at t = {:g} s (m)'\n"
+             "set ylabel '{} ({})'\n"
              "set key outside right top Left reverse spacing 1.3 samplen 3 font ',15'\n",
-             result.scene, result.about, result.duration, result.duration) +
+             result.scene, result.about, result.duration, describe(result.error),
+             unitOf(result.error)) +
          frame(result, 13) + plotLines(result, Legend::Shown, 1);
 }
 
@@ -150,17 +153,16 @@ std::string overviewScript(std::span<const CaseResult> cases) {
   const int cells = static_cast<int>(cases.size()) + 1;
   const int columns = std::min(kMostColumns, cells);
   const int rows = (cells + columns - 1) / columns;
-  std::string script =
-      preamble("overview", kCellWidth * columns, kCellHeight * rows, 11) +
-      fmt::format(
-          "set multiplot layout {},{} title \"largest error of a position (m) against CPU "
-          "time of the steps (s)\" font ',16'\n",
-          rows, columns);
+  std::string script = preamble("overview", kCellWidth * columns, kCellHeight * rows, 11) +
+                       fmt::format(
+                           "set multiplot layout {},{} title \"error against CPU time of the steps "
+                           "(s)\" font ',16'\n",
+                           rows, columns);
   for (const CaseResult& result : cases)
     script += fmt::format(
                   "\nunset arrow\nunset label\nunset key\n"
-                  "set title \"{{/:Bold {}}}, t = {:g} s\" offset 0,-0.6\n",
-                  result.scene, result.duration) +
+                  "set title \"{{/:Bold {}}}, t = {:g} s, error in {}\" offset 0,-0.6\n",
+                  result.scene, result.duration, unitOf(result.error)) +
               frame(result, 9) + plotLines(result, Legend::Hidden, 0.6);
   return script + legendCell(cases.front()) + "unset multiplot\n";
 }

@@ -63,7 +63,7 @@ class SessionRun {
     if (steps == 0) session_.afterStep(world, readClocks());
     RunReport& report = recorder_.report();
     if (begun_) report.ballsOwnedMax = std::max(report.ballsOwnedMax, ballsOwnedHere());
-    if (begun_ && !ended_ && session_.isSettled(world)) end();
+    if (begun_ && !ended_ && session_.isComplete(world)) end();
     obeySettings();
     passOnMeasures();
   }
@@ -92,7 +92,7 @@ class SessionRun {
     show(WhenBusy::Wait);
     recorder_.end(world, *setup_.stepper);
     RunReport& report = recorder_.report();
-    report.settled = session_.isSettled(world);
+    report.complete = session_.isComplete(world);
     report.peer = value(session_.peer());
     report.ballsOwned = ballsOwnedHere();
     const auto counts = session_.counts().balls;
@@ -111,8 +111,8 @@ class SessionRun {
     const bool stopped = begun_ && setup_.world.step >= setup_.options.steps;
     if (!stopped) return false;
     if (!stoppedAt_) stoppedAt_ = now;
-    // Who leaves gives up its balls, which would change the results of those that are not settled.
-    const bool isDone = ended_ && session_.areOthersSettled(readClocks());
+    // Who leaves gives up its balls, which would change the results of those that are not complete.
+    const bool isDone = ended_ && session_.areOthersComplete(readClocks());
     return isDone || now >= *stoppedAt_ + 2 * setup_.options.config.lease;
   }
 

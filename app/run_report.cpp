@@ -115,7 +115,7 @@ std::string reportAsJson(const RunReport& r) {
       {"fences", r.fences},
       {"resyncs", r.resyncs},
       {"view_difference_max_m", r.viewDifference},
-      {"settled", r.settled},
+      {"complete", r.complete},
       {"messages_sent", r.messagesSent},
       {"messages_received", r.messagesReceived},
       {"messages_dropped", r.messagesDropped},

@@ -53,7 +53,7 @@ struct RunReport {
   std::int64_t resyncs = 0;                     // times that it joined another session
   double viewDifference = 0;                    // m, largest at equal step
   std::string generation;
-  bool settled = true;  // at the end every ball had its owner's last state
+  bool complete = true;  // at the end every ball had its owner's last state
   std::int64_t messagesSent = 0;
   std::int64_t messagesReceived = 0;  // accepted
   std::int64_t messagesDropped = 0;

@@ -9,7 +9,7 @@
 namespace wells {
 namespace {
 
-// Between these (m) an error shows the order of a method: above, steps are too coarse for any;
+// Between these an error shows the order of a method: above, steps are too coarse for any;
 // below, sums of rounding errors come near.
 constexpr double kLargestFitted = 0.3;
 constexpr double kSmallestFitted = 1e-11;
@@ -21,7 +21,7 @@ constexpr std::size_t kFewestFitted = 3;
 // that divides long steps takes the same ones for several dt.
 constexpr double kLeastRise = 0.2;
 
-constexpr double kRounding = 1e-10;  // m
+constexpr double kRounding = 1e-10;
 constexpr std::size_t kSurestPoints = 8;
 
 double slope(std::span<const double> x, std::span<const double> y) {
@@ -47,7 +47,7 @@ double between(const WorkPoint& above, const WorkPoint& below, double error) {
   return above.cpu * std::pow(below.cpu / above.cpu, part);
 }
 
-/// Errors (m) below this may be sums of rounding errors: once the error is small it falls no
+/// Errors below this may be sums of rounding errors: once the error is small it falls no
 /// longer, and what it is from there on is rounding.
 double roundingFloor(std::span<const WorkPoint> points) {
   const auto smaller = [](const WorkPoint& a, const WorkPoint& b) { return a.error < b.error; };

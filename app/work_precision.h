@@ -1,5 +1,6 @@
 // What can be said about runs of one case with many step sizes: error against CPU time. Numbers in,
-// numbers out; runs nothing and writes nothing.
+// numbers out; runs nothing and writes nothing. Errors are in the unit of the case's kind of error
+// (scenes/exact_answers.h).
 #pragma once
 
 #include <cstdint>
@@ -28,7 +29,7 @@ std::string name(const Method& method);
 struct WorkPoint {
   double dt = 0;  // s
   std::int64_t steps = 0;
-  double error = 0;  // m, the largest of any ball at the end; infinite if a state is not finite
+  double error = 0;          // infinite if a state is not finite
   double energyError = 0;    // of the energies' magnitudes at the start; NaN where friction or
                              // inelastic impacts take energy by right
   std::int64_t escaped = 0;  // balls below the ground or beyond the wall at the end
@@ -58,10 +59,10 @@ double median(std::vector<double> values);
 std::optional<double> fittedOrder(std::span<const WorkPoint> points);
 
 /// Whether smaller steps have stopped paying: of at least eight points the last has an error below
-/// 1e-10 m, and no smaller one than twice the halving before.
+/// 1e-10, and no smaller one than twice the halving before.
 bool isAtRounding(std::span<const WorkPoint> points);
 
-/// The least CPU time (s) at which `points` are within `error` (m), between two points by a
+/// The least CPU time (s) at which `points` are within `error`, between two points by a
 /// straight line in the logarithms. Empty: never. A single lucky point counts.
 std::optional<double> cheapest(std::span<const WorkPoint> points, double error);
 

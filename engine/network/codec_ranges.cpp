@@ -95,7 +95,7 @@ bool areInRange(const std::vector<setting_t>& settings) {
 bool isInRange(const heartbeat_t& message, const DecodeLimits& limits) {
   return isInRange(message.header) && isWithin(message.started, 1, kMaxCount) &&
          isWithin(message.phase, heartbeat_t::JOINING, heartbeat_t::LEAVING) &&
-         isWithin(message.paused, 0, 1) && isWithin(message.settled, 0, 1) &&
+         isWithin(message.paused, 0, 1) && isWithin(message.complete, 0, 1) &&
          isWithin(message.lease_ms, kMinLease, kMaxLease) &&
          isWithin(std::int64_t{message.balls_owned}, 0, limits.balls) &&
          message.first_bucket >= 0 &&

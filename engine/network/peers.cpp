@@ -58,7 +58,7 @@ std::optional<Drop> Peers::hear(const gravity_wells::heartbeat_t& heartbeat, Tim
   peer.generation = generationOf(header);
   peer.phase = static_cast<Phase>(heartbeat.phase);
   peer.progress = heartbeat.paused ? Progress::Paused : Progress::Running;
-  peer.settled = heartbeat.settled;
+  peer.complete = heartbeat.complete;
   peer.world = heartbeat.world_hash == worldHash_ ? WorldMatch::Same : WorldMatch::Foreign;
   peer.lease = heartbeat.lease_ms * 1e-3;
   if (peer.world == WorldMatch::Foreign) return Drop::ForeignWorld;

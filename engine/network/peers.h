@@ -35,7 +35,7 @@ struct Peer {
   Generation generation{};
   Phase phase = Phase::Joining;
   Progress progress = Progress::Paused;
-  bool settled = false;  // as Session::isSettled
+  bool complete = false;  // as Session::isComplete
   WorldMatch world = WorldMatch::Same;
   double lease = 0;        // s
   std::int64_t step = 0;   // committed, as last heard ...

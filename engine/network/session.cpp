@@ -125,12 +125,12 @@ Hearing Session::hearing(const gravity_wells::peer_header_t& header, Times now) 
           .patience = options_.lease / 2};
 }
 
-bool Session::isSettled(const World& world) const {
-  return phase_ == Phase::Active && isStopped(world) && balls_.isSettled(world);
+bool Session::isComplete(const World& world) const {
+  return phase_ == Phase::Active && isStopped(world) && balls_.isComplete(world);
 }
 
-bool Session::areOthersSettled(Times now) const {
-  return std::ranges::all_of(peers_.livingActive(now.monotonic), &Peer::settled);
+bool Session::areOthersComplete(Times now) const {
+  return std::ranges::all_of(peers_.livingActive(now.monotonic), &Peer::complete);
 }
 
 std::vector<std::pair<PeerId, std::size_t>> Session::ballsOwned() const {

@@ -94,10 +94,10 @@ class Session {
   /// True when the stop is reached, no offer is open and every ball has, here, the state that its
   /// owner published for this step. When all peers of a group say so, their views are equal to the
   /// bit.
-  bool isSettled(const World& world) const;
+  bool isComplete(const World& world) const;
 
-  /// True when every other active peer whose lease lasts has said that it is settled.
-  bool areOthersSettled(Times now) const;
+  /// True when every other active peer whose lease lasts has said that it is complete.
+  bool areOthersComplete(Times now) const;
 
   /// Records by ball. Empty of meaning until the session is active.
   const std::vector<Record>& records() const { return balls_.records(); }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kWellInterval = 0.05;    // s; every keyframe is repeated until it is long past
 constexpr double kSettingsInterval = 1;   // s
-constexpr double kSettled = 0.5;          // s for which an owner is known before a digest counts it
+constexpr double kKnown = 0.5;            // s for which an owner is known before a digest counts it
 constexpr double kOfferInterval = 0.1;    // s between repetitions of an offer
 constexpr double kStoppedInterval = 0.2;  // s between repetitions of the states of a stopped world
 constexpr int kFarewells = 3;             // good-byes, since any may be lost
@@ -90,7 +90,7 @@ void Session::sendHeartbeat(const World& world, Times now) {
   m.world_hash = options_.worldHash;
   m.phase = static_cast<std::int32_t>(phase_);
   m.paused = standsStill(world);
-  m.settled = isSettled(world);
+  m.complete = isComplete(world);
   m.lease_ms = static_cast<std::int32_t>(std::lround(options_.lease * 1000));
   m.balls_owned = static_cast<std::int32_t>(ballsOwnedHere());
   m.settings_digest = std::bit_cast<std::int64_t>(shared_.digest());
@@ -107,8 +107,7 @@ void Session::addDigests(gravity_wells::heartbeat_t& m, Times now) {
   const std::size_t end = std::min<std::size_t>(nextBucket_ + kMaxBucketsInMessage, buckets);
   m.first_bucket = static_cast<std::int32_t>(nextBucket_);
   for (; nextBucket_ < end; ++nextBucket_)
-    m.digests.push_back(
-        digestMessage(balls_.digest(nextBucket_, phase_, now.monotonic - kSettled)));
+    m.digests.push_back(digestMessage(balls_.digest(nextBucket_, phase_, now.monotonic - kKnown)));
   m.buckets = static_cast<std::int32_t>(m.digests.size());
 }
 

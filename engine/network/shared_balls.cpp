@@ -152,13 +152,13 @@ std::vector<std::uint32_t> SharedBalls::wanted(std::size_t bucket, const BucketD
   return balls;
 }
 
-BucketDigest SharedBalls::digest(std::size_t bucket, Phase phase, double settled) const {
+BucketDigest SharedBalls::digest(std::size_t bucket, Phase phase, double knownBefore) const {
   BucketDigest digest;
   const std::size_t first = bucket * kBallsInBucket;
   const std::size_t end = std::min(first + kBallsInBucket, records_.size());
   for (std::size_t ball = first; ball < end; ++ball)
     digest.known[ball - first] = phase == Phase::Active
-                                     ? since_[ball] <= settled
+                                     ? since_[ball] <= knownBefore
                                      : gathering_.has(ball) && records_[ball].version.step >= 0;
   digest.sum = digestSum(records_, bucket, digest.known);
   return digest;
@@ -268,7 +268,7 @@ void SharedBalls::closeOffers() {
   });
 }
 
-bool SharedBalls::isSettled(const World& world) const {
+bool SharedBalls::isComplete(const World& world) const {
   if (!openOffers_.empty() || !early_.empty()) return false;
   for (std::size_t i = 0; i < records_.size(); ++i) {
     const Record& record = records_[i];

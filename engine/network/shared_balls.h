@@ -134,8 +134,8 @@ class SharedBalls {
   void adoptAll(World& world, const Party& self, const Leases& leases, double now);
 
   /// What `self` tells others of a bucket: active, of the balls whose owner has been known since
-  /// `settled` (s); syncing, of those of which it holds a state.
-  BucketDigest digest(std::size_t bucket, Phase phase, double settled) const;
+  /// `knownBefore` (s); syncing, of those of which it holds a state.
+  BucketDigest digest(std::size_t bucket, Phase phase, double knownBefore) const;
 
   /// Notes that the state at world.step is published, and returns its version.
   Version publish(const World& world, std::size_t ball, const Party& self);
@@ -152,7 +152,7 @@ class SharedBalls {
   void closeOffers();
 
   /// True when every ball here has the state that its owner has published for this step.
-  bool isSettled(const World& world) const;
+  bool isComplete(const World& world) const;
 
   std::size_t ghosts() const { return ghosts_; }
   const BallCounts& counts() const { return counts_; }

@@ -9,6 +9,7 @@
 #include "scenes/crowds.h"
 #include "scenes/ground_scenes.h"
 #include "scenes/impact_scenes.h"
+#include "scenes/sim_benchmark.h"
 #include "scenes/wall_scenes.h"
 #include "scenes/well_scenes.h"
 
@@ -64,6 +65,12 @@ constexpr Scene kScenes[] = {
     {"well-bounces", "a ball bounces on the ground beneath a well", 1, 1, 360, false,
      makeWellBounces},
     {"well-bounces-long", "the same for eleven bounces", 1, 1, 960, false, makeWellBounces},
+    {"bouncing", "SimBenchmark's 49 balls bounce on the ground without loss", 49, 49, 1200, false,
+     makeBouncing},
+    {"666", "SimBenchmark's block of 216 balls collapses and runs apart, without friction", 216,
+     216, 600, false, makeBlock},
+    {"elastic-666", "SimBenchmark's block of 216 balls bounces apart without loss", 216, 216, 600,
+     false, makeElasticBlock},
 };
 
 }  // namespace

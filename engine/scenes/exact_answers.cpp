@@ -7,6 +7,30 @@
 
 namespace wells {
 
+std::string_view unitOf(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::Position:
+      return "m";
+    case ErrorKind::Energy:
+      return "1";
+    case ErrorKind::Penetration:
+      return "m^2";
+  }
+  return {};
+}
+
+std::string_view describe(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::Position:
+      return "largest error of a position at the end";
+    case ErrorKind::Energy:
+      return "relative error of the energy, root mean square";
+    case ErrorKind::Penetration:
+      return "sum of the squares of all overlaps, mean";
+  }
+  return {};
+}
+
 std::span<const AccuracyCase> accuracyCases() {
   static const std::vector<AccuracyCase> cases = {
       {"bounce", "five elastic impacts on the ground", 10, {{0, {0, 5.454441153150668, 0}}}},
@@ -116,6 +140,13 @@ std::span<const AccuracyCase> accuracyCases() {
        "eleven impacts on the ground on a path that a well bends",
        16,
        {{0, {0.3865357378588790, 3.593329469780919, 0}}}},
+      {"bouncing", "SimBenchmark: energy of 49 bouncing balls", 20, {}, ErrorKind::Energy},
+      {"666", "SimBenchmark: overlaps in a heap without friction", 10, {}, ErrorKind::Penetration},
+      {"elastic-666",
+       "SimBenchmark: energy of a block of balls that bounces apart",
+       10,
+       {},
+       ErrorKind::Energy},
   };
   return cases;
 }

@@ -14,9 +14,12 @@ namespace wells {
 /// near the limit does not change its method at every step.
 inline constexpr std::size_t kCrowd = 64;
 
-/// True for a crowd. Never where impacts are elastic and without friction, which substeps would
-/// not keep so, and never with a ball that moves further than its radius in a substep, which
-/// substeps might not stop. inSubsteps: by ball, 1 where its island was a crowd in the step before.
+/// True where impacts take no energy, which substeps would not keep so.
+bool isLossless(const Settings& settings);
+
+/// True for a crowd. Never where impacts are lossless, and never with a ball that moves further
+/// than its radius in a substep, which substeps might not stop. inSubsteps: by ball, 1 where its
+/// island was a crowd in the step before.
 bool isCrowd(const Settings& settings, std::span<const std::uint32_t> island, const Balls& balls,
              std::span<const std::uint8_t> inSubsteps);
 

@@ -17,8 +17,14 @@ void addArenaOverlaps(const World& world, std::uint32_t i, Measures& sum) {
   const double fromAxis = std::sqrt(d.x() * d.x() + d.z() * d.z());
   const double belowGround = radius - d.y();
   const double beyondWall = fromAxis + radius - world.arena.radius;
-  if (belowGround > 0) ++sum.groundContacts;
-  if (beyondWall > 0) ++sum.wallContacts;
+  if (belowGround > 0) {
+    ++sum.groundContacts;
+    sum.squaredOverlaps += belowGround * belowGround;
+  }
+  if (beyondWall > 0) {
+    ++sum.wallContacts;
+    sum.squaredOverlaps += beyondWall * beyondWall;
+  }
   if (d.y() < 0 || fromAxis > world.arena.radius) ++sum.escaped;
   sum.groundOverlap = std::max(sum.groundOverlap, belowGround);
   sum.wallOverlap = std::max(sum.wallOverlap, beyondWall);
@@ -39,13 +45,28 @@ void addBallOverlaps(const Balls& balls, std::vector<std::uint32_t> sorted, Meas
       const double touching = balls.radius[a] + balls.radius[b];
       const double squared = squaredLength(balls.position[a] - balls.position[b]);
       if (squared >= touching * touching) continue;
+      const double overlap = touching - std::sqrt(squared);
       ++sum.ballContacts;
-      sum.ballOverlap = std::max(sum.ballOverlap, touching - std::sqrt(squared));
+      sum.ballOverlap = std::max(sum.ballOverlap, overlap);
+      sum.squaredOverlaps += overlap * overlap;
     }
   }
 }
 
 }  // namespace
+
+double kineticEnergy(const Balls& balls, std::size_t i) {
+  const double inertia = kInertiaFactor * balls.mass[i] * balls.radius[i] * balls.radius[i];
+  return 0.5 * (balls.mass[i] * squaredLength(balls.velocity[i]) +
+                inertia * squaredLength(balls.spin[i]));
+}
+
+double kineticEnergy(const Balls& balls) {
+  double sum = 0;
+  for (std::size_t i = 0; i < balls.size(); ++i)
+    if (isFinite(balls.state(i))) sum += kineticEnergy(balls, i);
+  return sum;
+}
 
 void addMechanics(const World& world, const Field& field, double t, std::size_t i, Mechanics& sum) {
   const Balls& balls = world.balls;
@@ -53,7 +74,7 @@ void addMechanics(const World& world, const Field& field, double t, std::size_t 
   const Vec3& v = balls.velocity[i];
   const Vec3 p = mass * v;
   const double inertia = kInertiaFactor * mass * balls.radius[i] * balls.radius[i];
-  sum.kineticEnergy += 0.5 * (dot(p, v) + inertia * squaredLength(balls.spin[i]));
+  sum.kineticEnergy += kineticEnergy(balls, i);
   sum.potentialEnergy += mass * potentialAt(field, balls.position[i], world.arena.center, t);
   sum.momentum += p;
   sum.angularMomentum += cross(balls.position[i] - world.arena.center, p) + inertia * balls.spin[i];

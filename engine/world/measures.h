@@ -20,6 +20,10 @@ struct Mechanics {
   double energy() const { return kineticEnergy + potentialEnergy; }  // J
 };
 
+/// J, translation and rotation: of ball i; of all whose state is finite, in O(N).
+double kineticEnergy(const Balls& balls, std::size_t i);
+double kineticEnergy(const Balls& balls);
+
 /// Adds ball i, in the field `t` seconds after the start of its step.
 void addMechanics(const World& world, const Field& field, double t, std::size_t i, Mechanics& sum);
 
@@ -27,6 +31,7 @@ struct Measures : Mechanics {
   double ballOverlap = 0;           // m, worst ball-ball overlap; 0: none
   double groundOverlap = 0;         // m, deepest ball below the ground
   double wallOverlap = 0;           // m, furthest ball beyond the wall
+  double squaredOverlaps = 0;       // m^2, sum of the squares of all overlaps of the three kinds
   std::int64_t ballContacts = 0;    // pairs of balls that overlap
   std::int64_t groundContacts = 0;  // balls that reach below the ground
   std::int64_t wallContacts = 0;    // balls that reach beyond the wall

@@ -75,8 +75,8 @@ class Simulation : public Stepper {
     counts_.flightStretches = field_.stretches;
     planContacts(world);
     const StepInput input(world, field_, integrator);
-    const auto lastResort =
-        attempts > kMostExactAttempts ? WhenTooFar::HandOver : WhenTooFar::StartOver;
+    const bool mayHandOver = attempts > kMostExactAttempts && !isLossless(world.settings);
+    const auto lastResort = mayHandOver ? WhenTooFar::HandOver : WhenTooFar::StartOver;
     if (method_ != ContactMethod::Substep && !moveByEvents(input, lastResort, world)) return false;
     startFromOldImpulses(world);
     planFlights(world);
@@ -140,6 +140,7 @@ class Simulation : public Stepper {
       }
       const IslandFate fate = exact_.run(input, island, islands_.pairs(n), reach_, balls);
       if (fate == IslandFate::TooFar && whenTooFar == WhenTooFar::StartOver) {
+        shareReaches(islands_.pairs(n));
         isComplete = false;
         continue;
       }
@@ -159,6 +160,13 @@ class Simulation : public Stepper {
     std::erase_if(plan_.ballContacts, isDone);
     std::erase_if(plan_.arenaContacts, isDone);
     return true;
+  }
+
+  /// A ball may be thrown about as far as the one that hits it. Without this, in a dense island the
+  /// attempts would find one ball after the other.
+  void shareReaches(std::span<const Contact> pairs) {
+    for (const Contact& c : pairs)
+      if (isBall(c.b)) reach_[c.a] = reach_[c.b] = std::max(reach_[c.a], reach_[c.b]);
   }
 
   [[noreturn]] static void giveUp(const World& world, std::span<const std::uint32_t> island) {
@@ -198,6 +206,10 @@ class Simulation : public Stepper {
           if (!contactMemory_.isEmpty() && c.gap < -tolerated && world.owns(c.a) && world.owns(c.b))
             ++counts_.latePairs;
         });
+    // Where friction has just been switched off, no solver would ever take these back.
+    if (world.settings.friction == 0)
+      for (auto* contacts : {&plan_.ballContacts, &plan_.arenaContacts})
+        for (Contact& c : *contacts) c.tangentImpulse.setZero();
   }
 
   void planFlights(const World& world) {

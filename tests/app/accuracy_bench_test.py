@@ -12,10 +12,10 @@ import unittest
 
 from peers import run
 
-POINTS = ("case,engine,integrator,contacts,dt,steps,error_m,energy_error,escaped,cpu_s,repeats,"
-          "exact_share,substep_share,impacts,handed_over,contacts_J,friction_J,drag_J,wells_J,"
+POINTS = ("case,engine,integrator,contacts,dt,steps,error,error_unit,energy_error,escaped,cpu_s,"
+          "repeats,exact_share,substep_share,impacts,handed_over,contacts_J,friction_J,drag_J,wells_J,"
           "push_out_J,flight_J,state_hash,commit,compiler,flags,cpu")
-OVERVIEW = ("case,error_m,ours_cpu_s,best_of_ours_cpu_s,best_of_ours,published_cpu_s,published,"
+OVERVIEW = ("case,error,error_unit,ours_cpu_s,best_of_ours_cpu_s,best_of_ours,published_cpu_s,published,"
             "textbook_cpu_s,textbook,bullet_cpu_s,ratio_published,ratio_textbook,ratio_bullet")
 REFERENCES = ("reference-euler", "reference-improved-euler", "reference-rk", "reference-heun",
               "reference-rk4")
@@ -66,7 +66,7 @@ class AccuracyBench(unittest.TestCase):
             self.assertEqual({engine for engine, _, _ in methods},
                              {"ours", "bullet", *REFERENCES})
             for row in self.rows[case]:
-                self.assertEqual(row["case"], case)
+                self.assertEqual((row["case"], row["error_unit"]), (case, "m"))
                 self.assertAlmostEqual(float(row["dt"]) * int(row["steps"]), duration, places=9)
                 self.assertGreater(float(row["cpu_s"]), 0)
                 self.assertTrue(all(row[column] for column in ("commit", "compiler", "flags", "cpu")))
@@ -80,7 +80,7 @@ class AccuracyBench(unittest.TestCase):
                 self.assertTrue(all(2 * a == b for a, b in zip(steps, steps[1:])), (case, method))
 
     def test_leapfrog_is_of_second_order_on_the_orbit(self):
-        points = [(math.log(float(row["dt"])), math.log(float(row["error_m"])))
+        points = [(math.log(float(row["dt"])), math.log(float(row["error"])))
                   for row in self.method("orbit", "ours", "leapfrog", "exact")
                   if float(row["dt"]) < 1 / 100]
         self.assertGreaterEqual(len(points), 3)
@@ -89,17 +89,17 @@ class AccuracyBench(unittest.TestCase):
 
     def test_the_bounce_is_exact_by_default_and_not_with_bullet(self):
         for row in self.method("bounce", "ours", "pefrl", "auto"):
-            self.assertLess(float(row["error_m"]), 1e-9)
+            self.assertLess(float(row["error"]), 1e-9)
             self.assertLess(float(row["energy_error"]), 1e-12)
             self.assertEqual(row["impacts"], "5")
             self.assertLess(abs(float(row["contacts_J"])), 1e-9)
-        self.assertGreater(min(float(row["error_m"]) for row in self.method("bounce", "bullet")),
+        self.assertGreater(min(float(row["error"]) for row in self.method("bounce", "bullet")),
                            1e-3)
 
     def test_overview_compares_at_three_errors(self):
         rows = rows_of(self.out / "overview.csv")
         self.assertEqual(",".join(rows[0]), OVERVIEW)
-        self.assertEqual([(row["case"], row["error_m"]) for row in rows],
+        self.assertEqual([(row["case"], row["error"]) for row in rows],
                          [(case, error) for case in DURATIONS
                           for error in ("0.001", "1e-06", "1e-09")])
         bounce = next(row for row in rows if row["case"] == "bounce")
@@ -130,6 +130,26 @@ class AccuracyBench(unittest.TestCase):
                                    r"steps would take [0-9.e-]+ s, and 0\.001 s is the most")
             self.assertLess(len(rows_of(f"{folder}/bounce.csv")), 10)
 
+    def test_asked_for_step_sizes_are_run_and_no_others(self):
+        bounds = {"bouncing": ("1", 1e-10), "666": ("m^2", 1e-5)}
+        with tempfile.TemporaryDirectory() as folder:
+            done = run("bench", "accuracy", "--quick", "--cases", ",".join(bounds), "--engines",
+                       "ours,bullet", "--dt", "0.01,0.02", "--out", folder, timeout=250)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            for case, (unit, bound) in bounds.items():
+                rows = rows_of(f"{folder}/{case}.csv")
+                for method in methods_of(rows):
+                    ran = [row for row in rows
+                           if (row["engine"], row["integrator"], row["contacts"]) == method]
+                    self.assertEqual([row["dt"] for row in ran],
+                                     ["0.02", "0.01"], (case, method))
+                    self.assertEqual({row["error_unit"] for row in ran}, {unit})
+                    if method == ("ours", "pefrl", "auto"):
+                        self.assertLessEqual(float(ran[-1]["error"]), bound, case)
+                    if method[0] == "bullet":
+                        self.assertGreater(float(ran[-1]["error"]), 10 * bound, case)
+                self.assertIn(f"({unit})", pathlib.Path(folder, f"{case}.gp").read_text())
+
     def test_anyone_can_draw_again(self):
         with tempfile.TemporaryDirectory() as folder:
             for name in ("orbit.csv", "orbit.gp"):
@@ -154,6 +174,8 @@ class AccuracyBench(unittest.TestCase):
                 (("--cases", "T1"), "--cases T1: no such name; allowed: bounce, "),
                 (("--engines", "bulet"), "--engines bulet: no such name; did you mean bullet?"),
                 (("--repeats", 0), "--repeats 0: out of range; allowed: a whole number 1 to 100"),
+                (("--dt", "0.1,2"), "--dt 0.1,2: "),
+                (("--dt", "0.1,2"), "allowed: numbers 1e-6 to 1, in s, with commas between them"),
                 (("--longest-run", 0), "allowed: a number 0.001 to 3600, in s"),
                 (("--case", "orbit"), "--case: no such option; did you mean --cases?"),
                 (("--out", "/proc/nothing"), "--out /proc/nothing: cannot be made: ")):

@@ -10,9 +10,10 @@ import unittest
 from peers import run
 
 HEADER = ("scene,engine,integrator,contacts,balls,dt,steps,threads,ms_per_step,ms_per_step_last100,"
-          "max_overlap_m,energy_start_J,energy_end_J,escaped,exact_share,substep_share,impacts,"
-          "handed_over,contacts_J,friction_J,drag_J,wells_J,push_out_J,flight_J,peak_rss_MiB,"
+          "max_overlap_m,energy_start_J,energy_end_J,kinetic_start_J,kinetic_end_J,escaped,settled_s,"
+          "moved_m,kinetic_rise_J,exact_share,substep_share,impacts,handed_over,contacts_J,friction_J,drag_J,wells_J,push_out_J,flight_J,peak_rss_MiB,"
           "state_hash,commit,compiler,flags,cpu")
+SOURCES = ("contacts_J", "friction_J", "drag_J", "wells_J", "push_out_J", "flight_J")
 ENGINES = ("ours", "reference-euler", "reference-improved-euler", "reference-rk", "bullet")
 
 
@@ -52,17 +53,38 @@ class Bench(unittest.TestCase):
         self.assertEqual({row["escaped"] for row in rows}, {"0"})
 
     def test_the_booked_energy_is_what_was_gained(self):
-        sources = ("contacts_J", "friction_J", "drag_J", "wells_J", "push_out_J", "flight_J")
         world = ("--scene", "T1", "--balls", 50, "--steps", 200)
         row = self.rows(*world)[-1]
         gained = float(row["energy_end_J"]) - float(row["energy_start_J"])
-        booked = sum(float(row[source]) for source in sources)
+        booked = sum(float(row[source]) for source in SOURCES)
         self.assertLess(gained, -1000)
         self.assertAlmostEqual(booked, gained, delta=1e-8 * abs(gained))
         self.assertLess(max(float(row["contacts_J"]), float(row["friction_J"])), 0)
         for unbooked in (("--no-books",), ("--engine", "bullet")):
             row = self.rows(*world, *unbooked)[-1]
-            self.assertEqual({row[source] for source in sources}, {""}, unbooked)
+            self.assertEqual({row[source] for source in SOURCES}, {""}, unbooked)
+
+    def test_from_settled_begins_where_the_world_has_come_to_rest(self):
+        # zeno-rest: released at rest 5 m up, peak 9.81 * 5 J. Its bounces rise to 5 e^(2n) m, below
+        # a thousandth of the peak from n = 5 on; that impact is at sqrt(2 h / g) (1 + 2 (e + .. +
+        # e^4)) = 2.903 s, before which it is slow only near the top.
+        row = self.rows("--scene", "zeno-rest", "--from", "settled", "--steps", 30)[-1]
+        self.assertAlmostEqual(float(row["settled_s"]), 2.903 + 2, delta=0.05)
+        for column in ("moved_m", "kinetic_rise_J", "kinetic_start_J", "kinetic_end_J", "contacts_J"):
+            self.assertEqual(float(row[column]), 0, column)
+        self.assertEqual(float(row["max_overlap_m"]), 0)
+        row = self.rows("--scene", "zeno-rest", "--steps", 30)[-1]
+        self.assertEqual((row["settled_s"], row["moved_m"], row["kinetic_rise_J"]), ("", "", ""))
+        # The books are those of the same steps.
+        row = self.rows("--scene", "T1", "--balls", 50, "--from", "settled", "--steps", 60)[-1]
+        gained = float(row["energy_end_J"]) - float(row["energy_start_J"])
+        booked = sum(float(row[source]) for source in SOURCES)
+        self.assertAlmostEqual(booked, gained, delta=1e-8 * abs(float(row["energy_end_J"])))
+
+    def test_a_world_that_never_settles_is_given_up(self):
+        done = run("bench", "--scene", "bounce", "--from", "settled")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("the world has not settled within 600 s: its kinetic energy is ", done.stderr)
 
     def test_another_seed_has_another_hash(self):
         rows = self.rows("--scene", "T1", "--balls", 100, "--steps", 10, "--seed", 1)
@@ -79,6 +101,7 @@ class Bench(unittest.TestCase):
                 (("--balls", 4, "--scene", "billiard"), "scene 'billiard' is made for 3 ball(s)"),
                 (("--dt", 2), "--dt 2"),
                 (("--integrator", "magic"), "allowed: symplectic-euler, leapfrog, heun, rk4, pefrl"),
+                (("--from", "rest"), "--from rest: no such moment; allowed: start, settled"),
                 (("--steps", "many"), "--steps many")):
             with self.subTest(arguments=arguments):
                 done = run("bench", *arguments)

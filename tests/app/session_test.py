@@ -38,7 +38,7 @@ class SharedWorld(unittest.TestCase):
         """Each ball has one owner, the same for all; all views are equal at the same step."""
         reports = [peer.report() for peer in peers]
         for report in reports:
-            self.assertTrue(report["settled"], report)
+            self.assertTrue(report["complete"], report)
             self.assertEqual(report["owners"], reports[0]["owners"])
             self.assertEqual(report["balls_owned"], report["owners"].get(str(report["peer"]), 0))
             self.assertEqual(report["steps"], reports[0]["steps"])

@@ -127,7 +127,7 @@ class Scenario(unittest.TestCase):
         reports = [peer.report() for peer in peers]
         living = sorted(peer.peer_id for peer in peers)
         for report in reports:
-            self.assertTrue(report["settled"], report)
+            self.assertTrue(report["complete"], report)
             self.assertEqual(report["peers"], living)
             self.assertEqual(report["owners"], reports[0]["owners"])
             self.assertEqual(report["balls_owned"], report["owners"].get(str(report["peer"]), 0))

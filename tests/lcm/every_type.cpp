@@ -75,7 +75,7 @@ std::vector<std::uint8_t> encodeHeartbeat() {
   heartbeat_t m{};
   m.buckets = 2;
   m.digests.resize(2);
-  Numbers().fill(m.header, m.started, m.world_hash, m.phase, m.paused, m.settled, m.lease_ms,
+  Numbers().fill(m.header, m.started, m.world_hash, m.phase, m.paused, m.complete, m.lease_ms,
                  m.balls_owned, m.settings_digest, m.first_bucket, m.digests);
   return encode(m);
 }

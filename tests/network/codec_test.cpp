@@ -158,7 +158,7 @@ TEST(Codec, RefusesEveryNumberOutsideItsRange) {
       [](auto& m) { m.phase = 4; },
       [](auto& m) { m.phase = -1; },
       [](auto& m) { m.paused = 2; },
-      [](auto& m) { m.settled = 2; },
+      [](auto& m) { m.complete = 2; },
       [](auto& m) { m.lease_ms = 0; },
       [](auto& m) { m.lease_ms = 3'600'000; },
       [](auto& m) { m.balls_owned = 26; },

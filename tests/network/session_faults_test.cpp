@@ -42,7 +42,7 @@ TEST(SessionFaults, AnOwnerThatDiesOnABadNetworkLosesNoBall) {
   }
 }
 
-TEST(SessionFaults, WhoLeavesWhenAllAreSettledChangesNobodysResults) {
+TEST(SessionFaults, WhoLeavesWhenAllAreCompleteChangesNobodysResults) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     Group group(60, seed, kBadNetwork);
     for (int id = 1; id <= 4; ++id) group.add(testOptions(id, seed * 100));
@@ -53,13 +53,13 @@ TEST(SessionFaults, WhoLeavesWhenAllAreSettledChangesNobodysResults) {
     for (const auto& peer : group.peers()) peer->session->stopAt(last + 30);
 
     using Owners = std::vector<std::pair<PeerId, std::size_t>>;
-    std::map<PeerId, Owners> results;  // when each was settled
+    std::map<PeerId, Owners> results;  // when each was complete
     const auto allHaveLeft = [&] {
       std::vector<TestPeer*> leaving;
       for (const auto& peer : group.peers()) {
-        if (!peer->session->isSettled(peer->world)) continue;
+        if (!peer->session->isComplete(peer->world)) continue;
         results.emplace(peer->session->peer(), peer->session->ballsOwned());
-        if (peer->session->areOthersSettled(group.timesOf(*peer))) leaving.push_back(peer.get());
+        if (peer->session->areOthersComplete(group.timesOf(*peer))) leaving.push_back(peer.get());
       }
       for (TestPeer* peer : leaving) {
         peer->session->leave(peer->world, group.timesOf(*peer));

@@ -176,7 +176,7 @@ class Group {
     return true;
   }
 
-  /// Stops all peers at a common step and waits until all say that their views are settled.
+  /// Stops all peers at a common step and waits until all say that their views are complete.
   bool settle(double seconds) {
     std::int64_t last = 0;
     for (const auto& peer : peers_) last = std::max(last, peer->world.step);
@@ -184,7 +184,7 @@ class Group {
     return runUntil(
         [&] {
           return std::ranges::all_of(
-              peers_, [](const auto& peer) { return peer->session->isSettled(peer->world); });
+              peers_, [](const auto& peer) { return peer->session->isComplete(peer->world); });
         },
         seconds);
   }

@@ -281,7 +281,7 @@ class PeersTest : public testing::Test {
     m.world_hash = 42;
     m.phase = gravity_wells::heartbeat_t::ACTIVE;
     m.paused = 0;
-    m.settled = 0;
+    m.complete = 0;
     m.lease_ms = 2000;
     m.balls_owned = 0;
     return m;

@@ -93,5 +93,26 @@ TEST(ObliqueImpact, OnBothSidesOfSticking) {
   EXPECT_NEAR(world.balls.spin[1].z(), -5.705346533499443, 6e-12);
 }
 
+// Without friction nothing turns the balls or slows them on the ground, also where they had some
+// until now: one that slides and one that spins.
+TEST(Friction, EndsWhenItIsSwitchedOff) {
+  for (const ContactMethod method : {ContactMethod::Substep, ContactMethod::Exact}) {
+    World world;
+    world.settings.contactMethod = method;
+    world.balls.add({{0, 0.5, 0}, {5, 0, 0}, {0, 0, 0}}, 0.5, 1);
+    world.balls.add({{0, 0.5, 5}, {0, 0, 0}, {20, 0, 0}}, 0.5, 1);
+    const auto simulation = makeSimulation();
+    for (int i = 0; i < 10; ++i) simulation->step(world);
+    world.settings.friction = 0;
+    const World before = world;
+    EXPECT_LT(before.balls.velocity[0].x(), 4.9) << name(method) << ": no friction at all";
+    for (int i = 0; i < 30; ++i) simulation->step(world);
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_LE(length(world.balls.velocity[i] - before.balls.velocity[i]), 1e-12) << name(method);
+      EXPECT_EQ(world.balls.spin[i], before.balls.spin[i]) << name(method);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace wells

@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
 #include "forces/field.h"
 #include "scenes/catalogue.h"
@@ -53,6 +55,46 @@ TEST(Catalogue, CrowdsHaveTheirPublishedSizes) {
   }
   EXPECT_NEAR(top, 1 + 2 * 2.4, 1e-14);  // three layers
   for (const Vec3& x : makeScene(findScene("T3")).balls.position) EXPECT_EQ(x.y(), 0.5);
+}
+
+// As its sources have them (yaml/bouncing.yaml, 666.yaml, 666-elastic.yaml).
+TEST(Catalogue, SimBenchmarkHasItsPublishedParameters) {
+  for (const char* name : {"bouncing", "666", "elastic-666"}) {
+    const World world = makeScene(findScene(name));
+    EXPECT_EQ(world.settings.gravity, Vec3(0, -9.81, 0)) << name;
+    EXPECT_EQ(world.settings.friction, 0) << name;
+    EXPECT_EQ(world.settings.elasticity, std::string_view(name) == "666" ? 0 : 1) << name;
+    EXPECT_TRUE(world.tracks.empty()) << name;
+    for (std::size_t i = 0; i < world.balls.size(); ++i) {
+      EXPECT_EQ(world.balls.radius[i], 0.1) << name;
+      EXPECT_EQ(world.balls.mass[i], 10) << name;
+      EXPECT_EQ(world.balls.velocity[i], Vec3::Zero()) << name;
+    }
+  }
+  const World bouncing = makeScene(findScene("bouncing"));
+  EXPECT_EQ(bouncing.balls.size(), 49u);
+  EXPECT_NEAR(smallestGap(bouncing), 1.8, 1e-14);
+  for (const Vec3& x : bouncing.balls.position) EXPECT_EQ(x.y(), 5);
+  for (const auto& [name, lowest] : {std::pair{"666", 0.101}, {"elastic-666", 1.101}}) {
+    const World world = makeScene(findScene(name));
+    EXPECT_EQ(world.balls.size(), 216u);
+    Vec3 low = world.balls.position[0];
+    Vec3 high = low;
+    Vec3 moved = Vec3::Zero();  // the most, from the lattice that starts at the lowest corner
+    for (const Vec3& x : world.balls.position) {
+      low = low.cwiseMin(x);
+      high = high.cwiseMax(x);
+    }
+    for (const Vec3& x : world.balls.position)
+      for (int axis = 0; axis < 3; ++axis)
+        moved[axis] = std::max(moved[axis], std::remainder(x[axis] - low[axis], 0.21));
+    EXPECT_GE(low.y(), lowest);
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_NEAR(high[axis] - low[axis], 5 * 0.21, 1e-3) << name;
+      EXPECT_LE(moved[axis], 1e-3) << name;
+      EXPECT_GE(moved[axis], 0.9e-3) << name;
+    }
+  }
 }
 
 TEST(Catalogue, RefusesWhatItDoesNotHave) {

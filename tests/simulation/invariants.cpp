@@ -269,7 +269,7 @@ void Invariants::healed(std::span<const PeerView> peers, double now) {
     violations_[i].invariant = Invariant::Heals;
 }
 
-void Invariants::settled(std::span<const PeerView> peers, double now) {
+void Invariants::complete(std::span<const PeerView> peers, double now) {
   for (const PeerView& peer : peers) {
     const PeerView& first = peers.front();
     if (peer.settings != first.settings)

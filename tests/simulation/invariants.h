@@ -29,12 +29,12 @@ enum class Invariant : std::uint8_t {
   JoinersKnow,       // who becomes active knows all tenures that are older than a second
   Heals,             // two leases after the faults: one generation, one owner each
   AllReturn,         // ... and later every peer is active
-  Agree,             // stopped and settled: equal records, equal states to the bit
+  Agree,             // stopped and complete: equal records, equal states to the bit
   StatesFit,         // a ghost is where the state of its very version leads
   SilentGiveUp,      // who stood still for a lease is not the one it was
   OlderLasts,        // an active peer changes only to a session reset more often or founded earlier
   FoundersListen,    // for two leases before they found a session
-  WellsAgree,        // settled: equal wells, none of who is gone; joiners know the others'
+  WellsAgree,        // complete: equal wells, none of who is gone; joiners know the others'
 };
 
 inline constexpr std::array<std::string_view, 16> kInvariantNames = {
@@ -100,8 +100,8 @@ class Invariants {
   /// All peers, two leases or more after the faults have ended. Those that still join are let be.
   void healed(std::span<const PeerView> peers, double now);
 
-  /// All peers, stopped and settled.
-  void settled(std::span<const PeerView> peers, double now);
+  /// All peers, stopped and complete.
+  void complete(std::span<const PeerView> peers, double now);
 
   /// Of something that the simulator finds itself.
   void report(Invariant invariant, double now, std::string what);

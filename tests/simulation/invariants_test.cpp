@@ -94,7 +94,7 @@ TEST_F(InvariantsTest, AHandOverBreaksNone) {
   observe();
   checkGroup();
   invariants.healed(std::vector{one.view(), two.view()}, now);
-  invariants.settled(std::vector{one.view(), two.view()}, now);
+  invariants.complete(std::vector{one.view(), two.view()}, now);
   expectNone();
 }
 
@@ -231,20 +231,20 @@ TEST_F(InvariantsTest, TwoOwnersAfterHealingAreFound) {
 
 TEST_F(InvariantsTest, ADifferenceOfOneBitInTheEndIsFound) {
   two.balls.position[1].x() += 0x1p-52;
-  invariants.settled(std::vector{one.view(), two.view()}, now);
+  invariants.complete(std::vector{one.view(), two.view()}, now);
   expectOnly(Invariant::Agree);
 }
 
 TEST_F(InvariantsTest, ADifferentRecordInTheEndIsFound) {
   two.know(1, kOne, 1);
-  invariants.settled(std::vector{one.view(), two.view()}, now);
+  invariants.complete(std::vector{one.view(), two.view()}, now);
   expectOnly(Invariant::Agree);
 }
 
 TEST_F(InvariantsTest, DifferentSettingsInTheEndAreFound) {
   PeerView other = two.view();
   other.settings = 1;
-  invariants.settled(std::vector{one.view(), other}, now);
+  invariants.complete(std::vector{one.view(), other}, now);
   expectOnly(Invariant::Agree);
 }
 

@@ -38,12 +38,12 @@ Outcome Run::outcome() {
   tally_.runs = 1;
   tally_.seconds = now_;
   tally_.leastHandovers = tally_.handovers;
-  tally_.unsettled = isSettled_ ? 0 : 1;
+  tally_.incomplete = isComplete_ ? 0 : 1;
   return {invariants_.violations(), tally_, trace_.text()};
 }
 
 bool Run::isOver() const {
-  return !invariants_.violations().empty() || isSettled_ || now_ >= schedule_.end;
+  return !invariants_.violations().empty() || isComplete_ || now_ >= schedule_.end;
 }
 
 void Run::run() {
@@ -59,8 +59,8 @@ void Run::run() {
     bury();
     checkGroups();
   }
-  if (invariants_.violations().empty() && !isSettled_ && !processes_.empty())
-    invariants_.report(Invariant::Agree, now_, "the peers' views have not settled");
+  if (invariants_.violations().empty() && !isComplete_ && !processes_.empty())
+    invariants_.report(Invariant::Agree, now_, "the peers' views are not complete");
   for (const Violation& violation : invariants_.violations())
     trace_.add(violation.time, "VIOLATION of \"{}\": {}", name(violation.invariant),
                violation.what);
@@ -246,12 +246,12 @@ void Run::checkGroups() {
   const std::vector<PeerView> all = views();
   invariants_.healed(all, now_);
   if (!isStopped_) return;
-  isSettled_ = !processes_.empty() && std::ranges::all_of(processes_, [](const auto& process) {
-    return process->session().isSettled(process->world());
+  isComplete_ = !processes_.empty() && std::ranges::all_of(processes_, [](const auto& process) {
+    return process->session().isComplete(process->world());
   });
-  if (!isSettled_) return;
-  trace_.add(now_, "all views are settled");
-  invariants_.settled(all, now_);
+  if (!isComplete_) return;
+  trace_.add(now_, "all views are complete");
+  invariants_.complete(all, now_);
 }
 
 bool Run::isAwake(const Process& process, double seconds) const {

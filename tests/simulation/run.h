@@ -92,7 +92,7 @@ class Run {
   double nextEndOfPause_ = 0;  // s
   int extensions_ = 0;         // of the run
   bool isStopped_ = false;
-  bool isSettled_ = false;
+  bool isComplete_ = false;
 };
 
 }  // namespace wells::simulation

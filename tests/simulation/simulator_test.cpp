@@ -51,7 +51,7 @@ TEST(Simulator, ARunWithoutFaultsHandsOverAndNeverAdopts) {
   EXPECT_EQ(outcome.tally.adoptions, 0);
   EXPECT_EQ(outcome.tally.doubledBallSeconds, 0);
   EXPECT_EQ(outcome.tally.messagesLostInBuffers, 0);
-  EXPECT_EQ(outcome.tally.unsettled, 0);
+  EXPECT_EQ(outcome.tally.incomplete, 0);
   EXPECT_GT(outcome.tally.groupChecks, 1000);
 }
 
@@ -134,7 +134,7 @@ TEST_P(Seeds, KeepAllPromises) {
                   << name(failure.violation.invariant) << ": " << failure.violation.what;
   EXPECT_EQ(outcome.fewHandovers, std::vector<std::uint64_t>{});
   EXPECT_GE(outcome.tally.seconds, 60 * kSeedsInShare);
-  EXPECT_EQ(outcome.tally.unsettled, 0);
+  EXPECT_EQ(outcome.tally.incomplete, 0);
   EXPECT_GT(outcome.tally.adoptions, kSeedsInShare);
 }
 

@@ -26,7 +26,7 @@ struct Tally {
   double ballSeconds = 0;         // in which at least one peer ran
   double doubledBallSeconds = 0;  // more than one peer acted as owner
   std::int64_t groupChecks = 0;   // of peers that had heard each other for two leases
-  std::int64_t unsettled = 0;     // runs that could not be compared at the end
+  std::int64_t incomplete = 0;    // runs that could not be compared at the end
   std::array<std::int64_t, kFaultKinds> faults{};
   Coverage coverage{};
 

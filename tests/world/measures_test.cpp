@@ -42,6 +42,7 @@ TEST(Measures, OverlapsWithGroundAndWall) {
   EXPECT_EQ(m.groundContacts, 1);
   EXPECT_EQ(m.wallContacts, 1);
   EXPECT_EQ(m.ballOverlap, 0);
+  EXPECT_NEAR(m.squaredOverlaps, 0.2 * 0.2 + 0.4 * 0.4, 1e-14);
   EXPECT_EQ(m.escaped, 0);
 }
 
@@ -67,16 +68,19 @@ TEST(Measures, BallOverlapsEqualBruteForce) {
         random.uniform(0.05, 0.6), 1);
   const Balls& b = world.balls;
   double worst = 0;
+  double squares = 0;
   std::int64_t contacts = 0;
   for (std::size_t i = 0; i < b.size(); ++i)
     for (std::size_t j = i + 1; j < b.size(); ++j) {
       const double overlap = b.radius[i] + b.radius[j] - (b.position[i] - b.position[j]).norm();
       worst = std::max(worst, overlap);
       contacts += overlap > 0;
+      if (overlap > 0) squares += overlap * overlap;
     }
   ASSERT_GT(contacts, 50);
   EXPECT_EQ(measure(world).ballContacts, contacts);
   EXPECT_NEAR(measure(world).ballOverlap, worst, 1e-15);
+  EXPECT_NEAR(measure(world).squaredOverlaps, squares, 1e-12);
 }
 
 TEST(StateHash, DependsOnEveryBit) {
