@@ -11,29 +11,29 @@
 namespace wells {
 namespace {
 
-constexpr std::size_t kBalls = 2000;
-
-void expectPressure(double eta, double expected, std::int64_t hits, int seeds) {
+void expectPressure(double eta, double expected, int settling, std::int64_t hits) {
   const double density = eta / theory::packing(1);
   EXPECT_NEAR(density * theory::carnahanStarling(eta), expected, 1e-6);
-  const FluidSamples samples = measureFluid(density, kBalls, hits, seeds);
+  const FluidSamples samples =
+      measureFluid({.density = density, .settling = settling, .hits = hits, .seeds = 3});
   EXPECT_NEAR(samples.pressure.mean() / expected, 1, 0.005)
       << "+- " << samples.pressure.standardError() / expected;
 }
 
-// P* = P sigma^3 / kT = (6 eta / pi) Z(eta).
+// P* = P sigma^3 / kT = (6 eta / pi) Z(eta). The standard errors are 0.1 %; the formula itself is
+// 0.2 % below simulations at eta = 0.25.
 TEST(PeriodicGas, HasThePressureOfAFluid) {
-  expectPressure(0.25, 1.467762, 100'000, 6);
+  expectPressure(0.25, 1.467762, 20, 150'000);
 }
 
 TEST(PeriodicGas, HasThePressureOfADenseFluid) {
-  expectPressure(0.45, 8.065532, 100'000, 5);
+  expectPressure(0.45, 8.065532, 60, 200'000);
 }
 
 // A ball is hit hitRate() times a second: 1 / (4 sqrt(pi) 0.5 g(0.2618)).
 TEST(PeriodicGas, HasEnskogsFreeTime) {
   EXPECT_NEAR(1 / theory::hitRate(0.5), 0.1305715, 1e-7);
-  const FluidSamples samples = measureFluid(0.5, kBalls, 50'000, 4);
+  const FluidSamples samples = measureFluid({.density = 0.5, .hits = 50'000, .seeds = 4});
   EXPECT_NEAR(samples.freeTime.mean() / 0.1305715, 1, 0.01)
       << "+- " << samples.freeTime.standardError() / 0.1305715;
 }
@@ -42,7 +42,7 @@ TEST(PeriodicGas, HasEnskogsFreeTime) {
 TEST(PeriodicGas, ComesToMaxwellsSpeeds) {
   Sample before, after;
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    PeriodicGas gas(kBalls, 0.5, seed);
+    PeriodicGas gas(2048, 0.5, seed);
     for (const Vec3& v : gas.balls().velocity) before.values.push_back(length(v));
     settle(gas);
     for (const Vec3& v : gas.balls().velocity) after.values.push_back(length(v));

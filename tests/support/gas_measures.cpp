@@ -10,40 +10,40 @@
 
 namespace wells {
 
-void settle(PeriodicGas& gas) {
-  gas.runToHits(gas.hits() + 10 * static_cast<std::int64_t>(gas.balls().size()));
+void settle(PeriodicGas& gas, int hitsPerBall) {
+  const auto balls = static_cast<std::int64_t>(gas.balls().size());
+  gas.runToHits(gas.hits() + hitsPerBall * balls / 2);
 }
 
-// The virial theorem: P V = N kT + 1/3 (sum of x_ab . impulse per time). The finite number of balls
-// (2000) changes P and the hit rate by some 1/N.
-FluidSamples measureFluid(double density, std::size_t balls, std::int64_t hits, int seeds) {
+// The virial theorem: P V = N kT + 1/3 (sum of x_ab . impulse per time). That N is finite changes
+// pressure and hit rate by some 1/N.
+FluidSamples measureFluid(const FluidRun& run) {
   FluidSamples samples;
-  const auto n = static_cast<double>(balls);
-  for (int seed = 1; seed <= seeds; ++seed) {
-    PeriodicGas gas(balls, density, static_cast<std::uint64_t>(seed));
-    settle(gas);
+  const auto n = static_cast<double>(run.balls);
+  for (int seed = 1; seed <= run.seeds; ++seed) {
+    PeriodicGas gas(run.balls, run.density, seed);
+    settle(gas, run.settling);
     const double start = gas.time(), virial = gas.virial();
-    const std::int64_t before = gas.hits();
-    gas.runToHits(before + hits);
+    gas.runToHits(gas.hits() + run.hits);
     const double duration = gas.time() - start;
     samples.pressure.values.push_back(
-        density * (1 + (gas.virial() - virial) / (3 * n * gas.temperature() * duration)));
-    samples.freeTime.values.push_back(n * duration / (2 * static_cast<double>(hits)));
+        run.density * (1 + (gas.virial() - virial) / (3 * n * gas.temperature() * duration)));
+    samples.freeTime.values.push_back(n * duration / (2 * static_cast<double>(run.hits)));
   }
   return samples;
 }
 
-std::vector<Sample> measureCooling(double density, double elasticity, std::size_t balls, int seeds,
+std::vector<Sample> measureCooling(double density, double elasticity, std::int64_t balls, int seeds,
                                    std::span<const int> hitsPerBall) {
   std::vector<Sample> samples(hitsPerBall.size());
   for (int seed = 1; seed <= seeds; ++seed) {
-    PeriodicGas gas(balls, density, static_cast<std::uint64_t>(seed));
+    PeriodicGas gas(balls, density, seed);
     settle(gas);
     gas.setElasticity(elasticity);
     const double start = gas.time();
     const std::int64_t before = gas.hits();
     for (std::size_t k = 0; k < hitsPerBall.size(); ++k) {
-      gas.runToHits(before + hitsPerBall[k] * static_cast<std::int64_t>(balls) / 2);
+      gas.runToHits(before + hitsPerBall[k] * balls / 2);
       samples[k].values.push_back(gas.temperature() /
                                   theory::haffCooling(density, elasticity, gas.time() - start));
     }

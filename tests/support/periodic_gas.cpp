@@ -36,9 +36,11 @@ PeriodicGas::PeriodicGas(std::size_t balls, double density, std::uint64_t seed) 
 void PeriodicGas::placeBalls(std::size_t balls, double density, std::uint64_t seed) {
   side_ = std::cbrt(static_cast<double>(balls) / density);
   // Neighbours are sqrt(2) lattice spacings apart; an even number of them fits the box's images.
-  const int perSide = 2 * static_cast<int>(side_ * std::numbers::sqrt2 / 2 / 1.01);
-  std::vector<Vec3> sites = closePackedSites(perSide, side_ / perSide);
-  if (sites.size() < balls) throw std::invalid_argument("the gas is too dense");
+  int perSide = 2;
+  while (perSide * perSide * perSide / 2 < static_cast<int>(balls)) perSide += 2;
+  const double spacing = side_ / perSide;
+  if (spacing * std::numbers::sqrt2 < 1) throw std::invalid_argument("the gas is too dense");
+  std::vector<Vec3> sites = closePackedSites(perSide, spacing);
   Random random(seed);
   for (std::size_t i = 0; i < balls; ++i) {
     std::swap(sites[i], sites[i + random.below(sites.size() - i)]);
