@@ -81,6 +81,12 @@ double PeriodicGas::temperature() const {
   return sum / 3 / static_cast<double>(balls_.size() - 1);
 }
 
+Vec3 PeriodicGas::positionOf(std::uint32_t ball) const {
+  Vec3 x = stateAt(model_, pathOf(ball), now_).position;
+  for (int k = 0; k < 3; ++k) x[k] -= side_ * std::floor(x[k] / side_);
+  return x;
+}
+
 std::vector<std::uint32_t>& PeriodicGas::members(const Triple& cell) {
   const auto inBox = [&](int k) { return (k % cellsPerSide_ + cellsPerSide_) % cellsPerSide_; };
   const int index =

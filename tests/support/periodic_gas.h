@@ -35,11 +35,12 @@ class PeriodicGas {
   /// Goes on until `time` (s).
   void runToTime(double time);
 
-  double time() const { return now_; }         // s
-  std::int64_t hits() const { return hits_; }  // impacts; each is a hit of two balls
-  double virial() const { return virial_; }    // J s, sum of (x_a - x_b) . (impulse on a)
-  double volume() const { return side_ * side_ * side_; }  // m^3
-  const Balls& balls() const { return balls_; }            // each where its last impact was
+  double time() const { return now_; }           // s
+  std::int64_t hits() const { return hits_; }    // impacts; each is a hit of two balls
+  double virial() const { return virial_; }      // J s, sum of (x_a - x_b) . (impulse on a)
+  double side() const { return side_; }          // m, of the box
+  Vec3 positionOf(std::uint32_t ball) const;     // now, in [0, side)^3
+  const Balls& balls() const { return balls_; }  // each where its last impact was
 
   /// kT (J): two thirds of the kinetic energy over N - 1, the momentum being fixed.
   double temperature() const;
