@@ -35,7 +35,7 @@ void printFluids() {
 void printCooling() {
   constexpr std::array kHitsPerBall = {1, 5, 10, 15, 20, 25, 30};
   const std::vector<Sample> ratios =
-      measureCooling(0.1 / theory::packing(1), 0.9, 256, 480, kHitsPerBall);
+      measureCooling(0.1 / theory::packing(1), 0.9, 864, 160, kHitsPerBall);
   for (std::size_t k = 0; k < ratios.size(); ++k)
     row(fmt::format("cooling, {} hits a ball: T / T of Haff's law", kHitsPerBall[k]), 1, ratios[k]);
 }
