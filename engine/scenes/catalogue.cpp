@@ -7,6 +7,7 @@
 
 #include "math/find_by_name.h"
 #include "scenes/crowds.h"
+#include "scenes/flat_gas.h"
 #include "scenes/ground_scenes.h"
 #include "scenes/impact_scenes.h"
 #include "scenes/sim_benchmark.h"
@@ -22,6 +23,8 @@ constexpr Scene kScenes[] = {
     {"T2", "gas: elastic, frictionless, without forces", 10000, 0, 300, false, makeGas},
     {"T3", "settled: one layer of balls at rest on the ground", 10000, 0, 300, true,
      makeSettledLayer},
+    {"flat-gas", "gas in one layer: elastic, frictionless, without forces", 4000, 0, 300, false,
+     makeFlatGas},
     {"template", "the world of config/template.txt with one well", 25, 0, 600, false,
      makeTemplateWorld},
     {"bounce", "a ball bounces on the ground without loss", 1, 1, 600, false, makeElasticBounce},

@@ -34,7 +34,7 @@ class Bench(unittest.TestCase):
         self.assertGreaterEqual(len(scenes), 9)
         count = 0
         for scene in scenes:
-            balls = ("--balls", 50) if scene in ("T1", "T2", "T3", "template") else ()
+            balls = ("--balls", 50) if scene in ("T1", "T2", "T3", "flat-gas", "template") else ()
             for engine in ENGINES:
                 with self.subTest(scene=scene, engine=engine):
                     rows = self.rows("--scene", scene, *balls, "--steps", 20, "--engine", engine)
