@@ -1,0 +1,67 @@
+// Chooses how to simulate a world: the cheapest integrator, contact method, substeps and dt with
+// which no ball is further than an error from where it should be, by trial. Prints nothing.
+//
+// Where the balls should be is what runs of the integrator of the highest order converge to:
+// halving its step, twice, must change no position by more than a quarter of the error. The choice
+// is then made from runs whose distance from the last of these, with that change added, is within
+// the error at each sampled time. Costs are estimated from counts (step_work.h), so that the same
+// world gets the same choice each time.
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "trial_run.h"
+
+namespace wells {
+
+struct TrialGoal {
+  double error = 0;               // m
+  double duration = 0;            // s; of the run that the choice is for
+  double dt = 0;                  // s; what the world has now, to find how long a trial may be
+  TrialMethod method;             // likewise
+  double longestStep = 2.0 / 15;  // s, to be chosen: longer ones would show in pictures
+};
+
+/// s, to be chosen.
+inline constexpr double kShortestStep = 1e-6;
+
+/// Bounds a trial: estimated CPU time of all its runs.
+inline constexpr double kMostTrialWork = 12;  // s
+
+/// A method with the longest step found with which it is within the error, or with which it was
+/// given up.
+struct TriedMethod {
+  TrialMethod method;
+  double dt = 0;     // s
+  double error = 0;  // m, largest distance from the reference, and the reference's own; if reached
+  double work = 0;   // s, estimated, for the trial
+  bool isReached = false;
+};
+
+struct Choice {
+  TriedMethod best;
+  double duration = 0;             // s, over which the error holds
+  std::string whyShorter;          // than the goal's; empty if it is not
+  double referenceDt = 0;          // s
+  double referenceChange = 0;      // m, by the last halving
+  std::vector<TriedMethod> tried;  // one for each integrator and contact method; best included
+  bool isComplete = true;          // false: the bound of the trial ended the search
+};
+
+/// No choice can be made; what() says why and what to change.
+class Unreachable : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// `progress` is called with what is tried next. Throws Unreachable.
+Choice chooseMethod(const TrialWorld& world, const TrialGoal& goal,
+                    const std::function<void(const std::string&)>& progress);
+
+/// "pefrl auto", with substeps where `usesSubsteps`.
+std::string name(const TrialMethod& method);
+
+}  // namespace wells
