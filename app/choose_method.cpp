@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "flight/integrators.h"
 #include "forces/field.h"
@@ -16,12 +17,15 @@ namespace wells {
 namespace {
 
 constexpr int kMostSamples = 16;
-constexpr double kPilotShare = 1.0 / 64;  // of the trial's work, for one run as the world is now
-constexpr double kReferenceShare = 0.5;   // of the trial's work
-constexpr double kReferenceTolerance = 0.25;  // of the error
+constexpr double kPilotShare = 1.0 / 64;     // of the trial's work, for one run as the world is now
+constexpr double kReferenceShare = 0.5;      // of the trial's work
+constexpr double kReferenceTolerance = 0.5;  // of the error
+constexpr double kFarLess = 16;              // the order's factor, for one halving
+constexpr double kStalled = 0.7;             // of the change by the halving before: no convergence
+constexpr int kMostStalls = 4;               // in a row
 constexpr double kNudge = 0x1p-50;  // of the largest coordinate: a few units in its last place
 constexpr int kBisections = 3;      // between a step that is too long and its half: to 9 %
-constexpr std::array kSubsteps = {1, 2, 4, 8, 16, 32};
+constexpr std::array kSubsteps = {1, 4, 16};
 
 const Integrator& highestOrder() {
   const auto all = integrators();
@@ -88,30 +92,34 @@ class Trial {
     return stepsPerInterval;
   }
 
+  /// Two halvings that change nothing by more than the tolerance, or one by far less.
   void findReference() {
     const TrialMethod method{std::string(highestOrder().name), ContactMethod::Exact,
                              goal_.method.substeps};
     const double tolerance = kReferenceTolerance * goal_.error;
     std::int64_t steps = fewestSteps_;
     TrialRun last = referenceRun(method, steps);
-    int agreedBefore = 0;
-    int agreed = 0;  // samples over which the last three runs do
-    std::int64_t coarser = steps;
     TrialRun before;
-    double cost = last.work;
-    while (agreed < times_.count) {
+    std::int64_t coarser = steps;
+    double change = std::numeric_limits<double>::infinity();  // m, where runs first disagreed
+    int agreedBefore = 0;
+    int agreed = 0;
+    for (int stalls = 0; agreed < times_.count && stalls < kMostStalls;) {
       const std::int64_t next = halved(steps);
       const double expected = last.work * static_cast<double>(next) / static_cast<double>(steps);
-      if (expected > kReferenceShare * kMostTrialWork - cost || dtOf(next) < kShortestStep) break;
+      if (work_ + expected > kReferenceShare * kMostTrialWork || dtOf(next) < kShortestStep) break;
       before = std::move(last);
-      coarser = steps;
-      steps = next;
+      coarser = std::exchange(steps, next);
       last = referenceRun(method, steps);
-      cost += last.work;
       const int now = agreement(before, last, tolerance);
-      agreed = std::min(agreedBefore, now);
+      agreed = std::max(std::min(agreedBefore, now), agreement(before, last, tolerance / kFarLess));
+      const double changeNow =
+          agreed < times_.count ? largestDistance(before.samples[agreed], last.samples[agreed]) : 0;
+      stalls = now <= agreedBefore && changeNow > kStalled * change ? stalls + 1 : 0;
+      change = changeNow;
       agreedBefore = now;
     }
+    choice_.referenceIntegrator = method.integrator;
     choice_.referenceDt = dtOf(steps);
     if (agreed < times_.count) shorten(method, coarser, before, last, agreed);
     for (int i = 0; i < times_.count; ++i)
@@ -155,8 +163,9 @@ class Trial {
                   "{:.0e} m elsewhere end {:.2g} m elsewhere",
                   until, nudge, apart)
             : fmt::format(
-                  "by {:.3g} s steps of {:.2g} s and of half of that still end {:.2g} m "
-                  "apart, and shorter ones would cost more than a trial may",
+                  "by {:.3g} s it is not sure where the balls should be: halving steps of "
+                  "{:.2g} s still moves one by {:.2g} m, and going on costs more than a "
+                  "trial may",
                   until, dtOf(steps),
                   largestDistance(before.samples[agreed], last.samples[agreed]));
     if (agreed == 0) throw Unreachable(why + "; allowed: a larger error");
@@ -165,72 +174,82 @@ class Trial {
     choice_.duration = times_.interval * agreed;
   }
 
-  // ---- the search
+  // ---- the search: the candidate that is cheapest so far goes on, with steps half as long
 
-  void search() {
-    for (const ContactMethod contacts :
-         {ContactMethod::Auto, ContactMethod::Exact, ContactMethod::Substep})
-      for (auto one = integrators().rbegin(); one != integrators().rend(); ++one)
-        tryMethod({std::string(one->name), contacts, goal_.method.substeps});
-  }
-
-  void tryMethod(const TrialMethod& method) {
-    // Exact differs from auto only where auto moved a crowd by substeps.
-    if (method.contacts == ContactMethod::Exact && !needsExact(method)) return;
-    const std::optional<bool> usesSubsteps = tryRung(method);
-    if (!usesSubsteps) return;
-    if (!*usesSubsteps) return;
-    for (const int substeps : kSubsteps) {
-      TrialMethod other = method;
-      other.substeps = substeps;
-      if (other != method) tryRung(other);
-    }
-  }
-
-  bool needsExact(const TrialMethod& method) const {
-    return std::find(autoInSubsteps_.begin(), autoInSubsteps_.end(), method.integrator) !=
-           autoInSubsteps_.end();
-  }
+  struct Candidate {
+    TrialMethod method;
+    std::int64_t steps = 1;   // in an interval, to be tried next
+    std::int64_t failed = 0;  // tried last; 0: none was
+    double work = 0;          // s, of a whole run with those
+    bool isOpen = true;
+  };
 
   struct Attempt {
     std::int64_t steps = 0;  // in an interval
-    double error = 0;        // m
-    TrialRun run;
+    double error = 0;        // m, by the time at which it ended
+    double work = 0;         // s, of a whole run
     bool isReached = false;
+    bool usedSubsteps = false;
+    bool isOther = false;  // the engine used another contact method
   };
 
-  /// Ever shorter steps, until the error is reached or the cost is that of the best. Whether balls
-  /// went by substeps; nothing if the method is another one's.
-  std::optional<bool> tryRung(const TrialMethod& method) {
-    bool usesSubsteps = false;
-    Attempt last;
-    for (std::int64_t steps = fewestSteps_; dtOf(steps) >= kShortestStep; steps *= 2) {
-      Attempt now = attempt(method, steps);
-      if (now.run.contacts != method.contacts) return {};
-      usesSubsteps |= now.run.usedSubsteps;
-      const bool isTooDear = now.run.work > mostWork();
-      if (!isTooDear || last.steps == 0) {
-        const std::int64_t failed = last.steps;
-        last = std::move(now);
-        if (last.isReached) refine(method, failed, last);
-      }
-      if (last.isReached || isTooDear) break;
+  void search() {
+    for (auto one = integrators().rbegin(); one != integrators().rend(); ++one)
+      for (const ContactMethod contacts : {ContactMethod::Auto, ContactMethod::Substep})
+        add({std::string(one->name), contacts, goal_.method.substeps});
+    for (;;) {
+      std::size_t next = candidates_.size();
+      for (std::size_t i = 0; i < candidates_.size(); ++i)
+        if (candidates_[i].isOpen &&
+            (next == candidates_.size() || candidates_[i].work < candidates_[next].work))
+          next = i;
+      if (next == candidates_.size()) return;
+      advance(next);
     }
-    note(method, last);
-    if (method.contacts == ContactMethod::Auto && usesSubsteps)
-      autoInSubsteps_.push_back(method.integrator);
-    return usesSubsteps;
   }
 
-  /// The longest step between that of `failed` steps (0: none) and `reached`.
+  void add(const TrialMethod& method) {
+    const auto same = std::find_if(candidates_.begin(), candidates_.end(),
+                                   [&](const Candidate& c) { return c.method == method; });
+    if (same == candidates_.end()) candidates_.push_back({method, fewestSteps_});
+  }
+
+  /// What a method may be varied in once it is known that it moves balls by substeps.
+  void addVariants(const TrialMethod& method) {
+    if (method.substeps != goal_.method.substeps) return;
+    TrialMethod other = method;
+    for (const int substeps : kSubsteps) {
+      other.substeps = substeps;
+      add(other);
+    }
+    // Where nothing goes by substeps, auto and exact are the same.
+    if (method.contacts == ContactMethod::Auto)
+      add({method.integrator, ContactMethod::Exact, method.substeps});
+  }
+
+  void advance(std::size_t index) {
+    Candidate now = candidates_[index];
+    Attempt last = attempt(now.method, now.steps);
+    if (last.usedSubsteps && now.failed == 0) addVariants(now.method);
+    if (last.isReached) refine(now.method, now.failed, last);
+    if (!last.isOther) note(now.method, last);
+    now.failed = now.steps;
+    now.steps *= 2;
+    now.work = last.work;
+    now.isOpen = !last.isReached && !last.isOther && dtOf(now.steps) >= kShortestStep &&
+                 work_ < kMostTrialWork && !(best_ && last.work >= best_->work);
+    candidates_[index] = now;
+  }
+
+  /// The longest step between that of `failed` steps (0: none) and that which reached it.
   void refine(const TrialMethod& method, std::int64_t failed, Attempt& reached) {
     for (int i = 0; i < kBisections && failed > 0; ++i) {
       const auto middle = static_cast<std::int64_t>(std::llround(
           std::sqrt(static_cast<double>(failed) * static_cast<double>(reached.steps))));
       if (middle <= failed || middle >= reached.steps) return;
-      Attempt now = attempt(method, middle);
+      const Attempt now = attempt(method, middle);
       if (now.isReached)
-        reached = std::move(now);
+        reached = now;
       else
         failed = middle;
     }
@@ -238,24 +257,27 @@ class Trial {
 
   Attempt attempt(const TrialMethod& method, std::int64_t steps) {
     progress_(fmt::format("{}, dt = {:.3g} s", name(method), dtOf(steps)));
-    Attempt result{.steps = steps, .error = 0, .run = {}, .isReached = false};
+    Attempt result{.steps = steps};
     const auto isWithin = [&](const Positions& sample, int i) {
       result.error =
           std::max(result.error, largestDistance(sample, reference_[i]) + choice_.referenceChange);
       return result.error <= goal_.error;
     };
     try {
-      result.run = run(method, times_, steps, {.work = mostWork(), .goesOn = isWithin});
+      const TrialRun made = run(method, times_, steps, {.work = mostWork(), .goesOn = isWithin});
+      result.work =
+          made.work / static_cast<double>(made.steps) * static_cast<double>(steps * times_.count);
+      result.isReached = made.steps == steps * times_.count && result.error <= goal_.error &&
+                         made.work <= mostWork();
+      result.usedSubsteps = made.usedSubsteps;
+      result.isOther = made.contacts != method.contacts;
     } catch (const std::runtime_error&) {  // more elastic impacts than the world allows in a step
-      return result;
     }
-    result.isReached = result.error <= goal_.error &&
-                       result.run.samples.size() == static_cast<std::size_t>(times_.count);
     return result;
   }
 
   void note(const TrialMethod& method, const Attempt& attempt) {
-    const TriedMethod tried{method, dtOf(attempt.steps), attempt.error, attempt.run.work,
+    const TriedMethod tried{method, dtOf(attempt.steps), attempt.error, attempt.work,
                             attempt.isReached};
     if (tried.isReached && (!best_ || tried.work < best_->work)) best_ = tried;
     const auto same =
@@ -265,14 +287,15 @@ class Trial {
         });
     if (same == choice_.tried.end())
       choice_.tried.push_back(tried);
-    else if (tried.isReached && (!same->isReached || tried.work < same->work))
+    else if (!same->isReached || (tried.isReached && tried.work < same->work))
       *same = tried;
   }
 
-  /// s; what the next run may cost to be of use.
+  /// s; what the next run may cost to be of use: between its step and twice that, which was too
+  /// long, there may be one that costs half.
   double mostWork() const {
     const double left = kMostTrialWork - work_;
-    return best_ ? std::min(best_->work, left) : left;
+    return best_ ? std::min(2 * best_->work, left) : left;
   }
 
   TrialRun run(const TrialMethod& method, const TrialTimes& times, std::int64_t steps,
@@ -294,7 +317,7 @@ class Trial {
   TrialTimes times_;
   std::int64_t fewestSteps_ = 1;  // in an interval
   std::vector<Positions> reference_;
-  std::vector<std::string> autoInSubsteps_;  // integrators
+  std::vector<Candidate> candidates_;
   std::optional<TriedMethod> best_;
   Choice choice_;
 };

@@ -2,7 +2,7 @@
 // which no ball is further than an error from where it should be, by trial. Prints nothing.
 //
 // Where the balls should be is what runs of the integrator of the highest order converge to:
-// halving its step, twice, must change no position by more than a quarter of the error. The choice
+// halving its step, twice, must change no position by more than half of the error. The choice
 // is then made from runs whose distance from the last of these, with that change added, is within
 // the error at each sampled time. Costs are estimated from counts (step_work.h), so that the same
 // world gets the same choice each time.
@@ -17,19 +17,22 @@
 
 namespace wells {
 
-struct TrialGoal {
-  double error = 0;               // m
-  double duration = 0;            // s; of the run that the choice is for
-  double dt = 0;                  // s; what the world has now, to find how long a trial may be
-  TrialMethod method;             // likewise
-  double longestStep = 2.0 / 15;  // s, to be chosen: longer ones would show in pictures
-};
+/// s, to be chosen: longer steps would show in pictures.
+inline constexpr double kLongestStep = 2.0 / 15;
 
 /// s, to be chosen.
 inline constexpr double kShortestStep = 1e-6;
 
+struct TrialGoal {
+  double error = 0;                   // m
+  double duration = 0;                // s; of the run that the choice is for
+  double dt = 0;                      // s; what the world has now, to find how long a trial may be
+  TrialMethod method;                 // likewise
+  double longestStep = kLongestStep;  // s, to be chosen
+};
+
 /// Bounds a trial: estimated CPU time of all its runs.
-inline constexpr double kMostTrialWork = 12;  // s
+inline constexpr double kMostTrialWork = 6;  // s
 
 /// A method with the longest step found with which it is within the error, or with which it was
 /// given up.
@@ -43,8 +46,9 @@ struct TriedMethod {
 
 struct Choice {
   TriedMethod best;
-  double duration = 0;             // s, over which the error holds
-  std::string whyShorter;          // than the goal's; empty if it is not
+  double duration = 0;     // s, over which the error holds
+  std::string whyShorter;  // than the goal's; empty if it is not
+  std::string referenceIntegrator;
   double referenceDt = 0;          // s
   double referenceChange = 0;      // m, by the last halving
   std::vector<TriedMethod> tried;  // one for each integrator and contact method; best included
