@@ -9,30 +9,12 @@
 #pragma once
 
 #include <functional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "trial_run.h"
 
 namespace wells {
-
-/// s, to be chosen: longer steps would show in pictures.
-inline constexpr double kLongestStep = 2.0 / 15;
-
-/// s, to be chosen.
-inline constexpr double kShortestStep = 1e-6;
-
-struct TrialGoal {
-  double error = 0;                   // m
-  double duration = 0;                // s; of the run that the choice is for
-  double dt = 0;                      // s; what the world has now, to find how long a trial may be
-  TrialMethod method;                 // likewise
-  double longestStep = kLongestStep;  // s, to be chosen
-};
-
-/// Bounds a trial: estimated CPU time of all its runs.
-inline constexpr double kMostTrialWork = 6;  // s
 
 /// A method with the longest step found with which it is within the error, or with which it was
 /// given up.
@@ -48,24 +30,15 @@ struct Choice {
   TriedMethod best;
   double duration = 0;     // s, over which the error holds
   std::string whyShorter;  // than the goal's; empty if it is not
-  std::string referenceIntegrator;
+  TrialMethod referenceMethod;
   double referenceDt = 0;          // s
   double referenceChange = 0;      // m, by the last halving
   std::vector<TriedMethod> tried;  // one for each integrator and contact method; best included
   bool isComplete = true;          // false: the bound of the trial ended the search
 };
 
-/// No choice can be made; what() says why and what to change.
-class Unreachable : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 /// `progress` is called with what is tried next. Throws Unreachable.
 Choice chooseMethod(const TrialWorld& world, const TrialGoal& goal,
                     const std::function<void(const std::string&)>& progress);
-
-/// "pefrl auto", with substeps where `usesSubsteps`.
-std::string name(const TrialMethod& method);
 
 }  // namespace wells

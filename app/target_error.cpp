@@ -66,10 +66,10 @@ Choice chooseSettings(const TrialWorld& world, double error, double duration, do
 std::string choiceText(const Choice& choice, double error, double duration) {
   std::string text = fmt::format(
       "target error {:g} m, on a trial of {:.6g} s of this world\n"
-      "where the balls should be: {} exact, Dt = {:.3g} s; the last halving moved none by more "
+      "where the balls should be: {}, Dt = {:.3g} s; the last halving moved none by more "
       "than {:.2g} m\n"
       "{:26} {:>4} {:>12} {:>12} {:>12}\n",
-      error, choice.duration, choice.referenceIntegrator, choice.referenceDt,
+      error, choice.duration, name(choice.referenceMethod), choice.referenceDt,
       choice.referenceChange, "method", "sub", "Dt (s)", "error (m)", "work (s)");
   for (const TriedMethod& tried : choice.tried)
     text += row(tried, tried.method == choice.best.method && tried.isReached);

@@ -1,5 +1,7 @@
 #include "trial_run.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "engines.h"
@@ -19,9 +21,9 @@ void nudgeBalls(Balls& balls, double nudge) {
 
 }  // namespace
 
-TrialRun runTrial(const TrialWorld& world, const TrialMethod& method, const TrialTimes& times,
-                  std::int64_t stepsPerInterval, const TrialStop& stop, double nudge) {
-  auto [now, beforeStep] = world(times.interval / static_cast<double>(stepsPerInterval));
+TrialRun Trials::run(const TrialMethod& method, const TrialTimes& times,
+                     std::int64_t stepsPerInterval, const TrialStop& stop, double nudge) {
+  auto [now, beforeStep] = world_(times.dt(stepsPerInterval));
   now.settings.integrator = method.integrator;
   now.settings.contactMethod = method.contacts;
   now.settings.substeps = method.substeps;
@@ -39,7 +41,9 @@ TrialRun runTrial(const TrialWorld& world, const TrialMethod& method, const Tria
       stepper->step(now);
       const StepCounts counts = stepper->counts();
       ++run.steps;
-      run.work += stepWork(counts, shape);
+      const double work = stepWork(counts, shape);
+      run.work += work;
+      work_ += work;
       run.usedSubsteps |= counts.substepBalls > 0;
       if (run.work > stop.work) break;
     }
@@ -49,6 +53,10 @@ TrialRun runTrial(const TrialWorld& world, const TrialMethod& method, const Tria
     if (stop.goesOn && !stop.goesOn(run.samples.back(), sample)) return run;
   }
   return run;
+}
+
+std::string name(const TrialMethod& method) {
+  return fmt::format("{} {}", method.integrator, name(method.contacts));
 }
 
 double largestDistance(const Positions& a, const Positions& b) {

@@ -1,11 +1,11 @@
-// One run of a trial: a world, a method, a step; where the balls are at a few times of it, and what
-// it cost. Compares two of them.
+// What a trial is made of: runs of one world with different methods and steps, where the balls are
+// at a few times of each, and what it cost. Draws no conclusion.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -32,10 +32,41 @@ struct TrialMethod {
   friend bool operator==(const TrialMethod&, const TrialMethod&) = default;
 };
 
+/// "pefrl auto".
+std::string name(const TrialMethod& method);
+
+/// s, to be chosen: longer steps would show in pictures.
+inline constexpr double kLongestStep = 2.0 / 15;
+
+/// s, to be chosen.
+inline constexpr double kShortestStep = 1e-6;
+
+/// Bounds a trial: s, estimated, of all its runs but for the last.
+inline constexpr double kMostTrialWork = 6;
+
+struct TrialGoal {
+  double error = 0;                   // m
+  double duration = 0;                // s, of the run that the choice is for
+  double dt = 0;                      // s, what the world has now
+  TrialMethod method;                 // likewise
+  double longestStep = kLongestStep;  // s, to be chosen
+};
+
+/// No choice can be made; what() says why and what to change.
+class Unreachable : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// The times at which runs are compared: multiples of `interval`. All runs have whole steps in it.
 struct TrialTimes {
   double interval = 0;  // s
   int count = 0;
+
+  double duration() const { return interval * count; }  // s
+  double dt(std::int64_t stepsPerInterval) const {      // s
+    return interval / static_cast<double>(stepsPerInterval);
+  }
 };
 
 /// Positions (m) by ball.
@@ -56,11 +87,28 @@ struct TrialStop {
   std::function<bool(const Positions&, int)> goesOn;      // asked at each sample; empty: always
 };
 
-/// Runs `start` with `stepsPerInterval` steps in each interval of `times`. Horizontal positions are
-/// first changed by `nudge` (m), from ball to ball in other directions. What the engine throws
-/// passes through.
-TrialRun runTrial(const TrialWorld& world, const TrialMethod& method, const TrialTimes& times,
-                  std::int64_t stepsPerInterval, const TrialStop& stop, double nudge = 0);
+/// Runs a world, and adds up what the runs cost.
+class Trials {
+ public:
+  /// Both must outlive this. `progress` is called with what is tried next.
+  Trials(const TrialWorld& world, const std::function<void(const std::string&)>& progress)
+      : world_(world), progress_(progress) {}
+
+  /// With `stepsPerInterval` steps in each interval of `times`. Horizontal positions are first
+  /// changed by `nudge` (m), from ball to ball in other directions. What the engine throws passes
+  /// through.
+  TrialRun run(const TrialMethod& method, const TrialTimes& times, std::int64_t stepsPerInterval,
+               const TrialStop& stop, double nudge = 0);
+
+  World start(double dt) const { return world_(dt).world; }
+  void say(const std::string& what) const { progress_(what); }
+  double work() const { return work_; }  // s, estimated
+
+ private:
+  const TrialWorld& world_;
+  const std::function<void(const std::string&)>& progress_;
+  double work_ = 0;
+};
 
 /// The largest distance (m) of a ball between two samples; infinite where only one is finite.
 double largestDistance(const Positions& a, const Positions& b);

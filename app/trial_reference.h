@@ -1,0 +1,25 @@
+// Where the balls of a world should be: what runs of the integrator of the highest order converge
+// to when its steps are halved, as far as they do.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "trial_run.h"
+
+namespace wells {
+
+struct Reference {
+  TrialTimes times;
+  std::int64_t fewestSteps = 1;    // in an interval, that steps may be chosen
+  std::vector<Positions> samples;  // at these times
+  TrialMethod method;
+  double dt = 0;           // s
+  double change = 0;       // m, largest by the last halving
+  std::string whyShorter;  // than the goal's duration; empty if it is not
+};
+
+/// For a trial of `duration` (s) at most, with half of the work that is left. Throws Unreachable.
+Reference findReference(Trials& trials, const TrialGoal& goal, double duration);
+
+}  // namespace wells
