@@ -18,7 +18,7 @@ constexpr double kWorkShare = 0.5;  // of the trial's work that is left
 constexpr double kTolerance = 0.5;  // of the error
 constexpr double kFarLess = 16;     // by this the highest order shrinks an error at each halving
 constexpr double kStalled = 0.7;    // of the change by the halving before: no convergence
-constexpr int kMostStalls = 4;      // in a row
+constexpr int kMostStalls = 4;      // while no more samples agree
 constexpr double kNudge = 0x1p-50;  // of the largest coordinate: a few units in its last place
 
 const Integrator& highestOrder() {
@@ -58,6 +58,7 @@ class Convergence {
     last_ = runWith(steps_);
     double change = std::numeric_limits<double>::infinity();  // m, where runs first disagree
     int agreedBefore = 0;
+    int mostAgreed = 0;
     int stalls = 0;
     while (agreed_ < times_.count && stalls < kMostStalls) {
       const std::int64_t next = halved(steps_);
@@ -69,7 +70,11 @@ class Convergence {
       const int agreed = agreement(tolerance);
       agreed_ = std::max(std::min(agreedBefore, agreed), agreement(tolerance / kFarLess));
       const double now = agreed_ < times_.count ? changeAt(agreed_) : 0;
-      stalls = agreed <= agreedBefore && now > kStalled * change ? stalls + 1 : 0;
+      if (agreed > mostAgreed)
+        stalls = 0;
+      else if (now > kStalled * change)
+        ++stalls;
+      mostAgreed = std::max(mostAgreed, agreed);
       isStalled_ = stalls == kMostStalls;
       change = now;
       agreedBefore = agreed;
