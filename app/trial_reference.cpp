@@ -9,6 +9,7 @@
 
 #include "flight/integrators.h"
 #include "forces/field.h"
+#include "world/contact_choice.h"
 
 namespace wells {
 namespace {
@@ -29,6 +30,11 @@ const Integrator& highestOrder() {
   return *best;
 }
 
+/// Where no crowd is possible auto is as exact, and never stops a run.
+ContactMethod mostExact(const World& world) {
+  return world.balls.size() <= kCrowd ? ContactMethod::Auto : ContactMethod::Exact;
+}
+
 double largestCoordinate(const Positions& positions) {
   double largest = 0;
   for (const Vec3& p : positions)
@@ -42,7 +48,8 @@ class Convergence {
   Convergence(Trials& trials, const TrialGoal& goal, double duration)
       : trials_(trials),
         goal_(goal),
-        method_{std::string(highestOrder().name), ContactMethod::Exact, goal.method.substeps} {
+        method_{std::string(highestOrder().name), mostExact(trials.start(goal.dt)),
+                goal.method.substeps} {
     times_.count = static_cast<int>(
         std::clamp(std::ceil(duration / goal.longestStep - 1e-9), 1.0, double{kMostSamples}));
     times_.interval = duration / times_.count;
@@ -120,6 +127,8 @@ class Convergence {
                      .method = method_,
                      .dt = times_.dt(steps_),
                      .change = 0,
+                     .coarserDt = times_.dt(stepsBefore_),
+                     .coarserWork = before_.work * agreed_ / times_.count,
                      .whyShorter = {}};
     for (int i = 0; i < agreed_; ++i) result.change = std::max(result.change, changeAt(i));
     result.samples = std::move(last_.samples);

@@ -15,7 +15,9 @@ struct Reference {
   std::vector<Positions> samples;  // at these times
   TrialMethod method;
   double dt = 0;           // s
-  double change = 0;       // m, largest by the last halving
+  double change = 0;       // m, largest by the last halving; at most half of the error
+  double coarserDt = 0;    // s, before the last halving: within the error, therefore
+  double coarserWork = 0;  // s, estimated, of that run
   std::string whyShorter;  // than the goal's duration; empty if it is not
 };
 
