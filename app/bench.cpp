@@ -164,7 +164,8 @@ std::int64_t chooseFor(double targetError, std::int64_t steps, World& world) {
     return TrialStart{now, {}};
   };
   Settings settings = world.settings;
-  const Choice choice = chooseSettings(start, targetError, duration, kLongestStep, settings);
+  const Choice choice = chooseSettings(start, targetError, duration, kLongestStep,
+                                       ProgressLine::Shown::Yes, settings);
   fmt::print(stderr, "{}", choiceText(choice, targetError, duration));
   world.settings = settings;
   return std::max<std::int64_t>(1, std::llround(duration / settings.dt));

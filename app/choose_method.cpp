@@ -8,6 +8,7 @@
 
 #include "flight/integrators.h"
 #include "trial_reference.h"
+#include "world/contact_choice.h"
 
 namespace wells {
 namespace {
@@ -89,8 +90,9 @@ class Search {
       other.substeps = substeps;
       add(other);
     }
-    // Where nothing goes by substeps, auto and exact are the same.
-    if (method.contacts == ContactMethod::Auto)
+    // Where there is no crowd auto and exact are the same.
+    const bool mayCrowd = reference_.samples.front().size() > kCrowd;
+    if (method.contacts == ContactMethod::Auto && mayCrowd)
       add({method.integrator, ContactMethod::Exact, method.substeps});
   }
 

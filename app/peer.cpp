@@ -70,7 +70,9 @@ Choice chooseFor(PeerOptions& options) {
   const bool isStill = config.wellPath.kind == WellPath::Kind::Still;
   const double longest = isStill ? kLongestStep : std::min(kLongestStep, config.settings.dt);
   const double duration = options.duration.value_or(kTrialOfEndless);
-  Choice choice = chooseSettings(world, options.targetError, duration, longest, config.settings);
+  Choice choice = chooseSettings(world, options.targetError, duration, longest,
+                                 options.quiet ? ProgressLine::Shown::No : ProgressLine::Shown::Yes,
+                                 config.settings);
   countSteps(options);
   return choice;
 }

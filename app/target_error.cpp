@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "command_line.h"
 #include "errors.h"
-#include "progress.h"
 #include "values.h"
 
 namespace wells {
@@ -15,7 +16,7 @@ namespace {
 const Range kErrors = Range::between(1e-11, 1);
 
 std::string row(const TriedMethod& tried, bool isChosen) {
-  return fmt::format("{:26} {:>4} {:>12.6g} {:>12} {:>12.3g}  {}\n", name(tried.method),
+  return fmt::format("{:26} {:>8} {:>12.6g} {:>12} {:>12.3g}  {}\n", name(tried.method),
                      tried.method.substeps, tried.dt,
                      tried.isReached ? fmt::format("{:.2g}", tried.error) : "-", tried.work,
                      isChosen          ? "chosen"
@@ -41,7 +42,7 @@ std::string targetErrorHelp() {
 }
 
 Choice chooseSettings(const TrialWorld& world, double error, double duration, double longestStep,
-                      Settings& settings) {
+                      ProgressLine::Shown shown, Settings& settings) {
   const TrialGoal goal{.error = error,
                        .duration = duration,
                        .dt = settings.dt,
@@ -49,9 +50,10 @@ Choice chooseSettings(const TrialWorld& world, double error, double duration, do
                        .longestStep = longestStep};
   Choice choice;
   try {
-    const StatusLine line;
+    std::optional<StatusLine> line;
+    if (shown == ProgressLine::Shown::Yes) line.emplace();
     choice = chooseMethod(world, goal, [&](const std::string& what) {
-      line.show("trial for --target-error: " + what);
+      if (line) line->show("trial for --target-error: " + what);
     });
   } catch (const Unreachable& unreachable) {
     throw UsageError(fmt::format("--target-error {}: {}", formatNumber(error), unreachable.what()));
@@ -68,9 +70,9 @@ std::string choiceText(const Choice& choice, double error, double duration) {
       "target error {:g} m, on a trial of {:.6g} s of this world\n"
       "where the balls should be: {}, Dt = {:.3g} s; the last halving moved none by more "
       "than {:.2g} m\n"
-      "{:26} {:>4} {:>12} {:>12} {:>12}\n",
+      "{:26} {:>8} {:>12} {:>12} {:>12}\n",
       error, choice.duration, name(choice.referenceMethod), choice.referenceDt,
-      choice.referenceChange, "method", "sub", "Dt (s)", "error (m)", "work (s)");
+      choice.referenceChange, "method", "substeps", "Dt (s)", "error (m)", "work (s)");
   for (const TriedMethod& tried : choice.tried)
     text += row(tried, tried.method == choice.best.method && tried.isReached);
   if (!choice.isComplete) text += "the search ended early: more would cost more than a trial may\n";

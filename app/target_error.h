@@ -6,6 +6,7 @@
 
 #include "choose_method.h"
 #include "config.h"
+#include "progress.h"
 
 namespace wells {
 
@@ -18,7 +19,7 @@ std::string targetErrorHelp();
 /// Chooses for a run of `duration` (s) of a world that now has `settings`, and puts the choice into
 /// them. Throws UsageError where `error` (m) cannot be reached.
 Choice chooseSettings(const TrialWorld& world, double error, double duration, double longestStep,
-                      Settings& settings);
+                      ProgressLine::Shown shown, Settings& settings);
 
 /// What was tried and chosen, and the config's lines for it; several lines. `duration`: s, of the
 /// run.

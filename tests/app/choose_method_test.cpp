@@ -123,6 +123,15 @@ TEST(ChooseMethod, IsNotDeceivedByStepsThatAreDividedAlike) {
   EXPECT_LE(length(chosen.balls.position[0] - fine.balls.position[0]), error);
 }
 
+TEST(ChooseMethod, ChoosesTheSameEachTime) {
+  const World start = makeScene(findScene("well-bounces"));
+  const Choice once = choiceFor(start, 6, 1e-6);
+  const Choice again = choiceFor(start, 6, 1e-6);
+  EXPECT_EQ(once.best.method, again.best.method);
+  EXPECT_EQ(once.best.dt, again.best.dt);
+  EXPECT_EQ(once.best.work, again.best.work);
+}
+
 TEST(ChooseMethod, SaysWhenAWorldIsTooSensitive) {
   const World start = makeScene(findScene("T2"), 50);  // an elastic gas
   const Choice choice = choiceFor(start, 100, 1e-6);
