@@ -67,12 +67,12 @@ Choice chooseSettings(const TrialWorld& world, double error, double duration, do
 
 std::string choiceText(const Choice& choice, double error, double duration) {
   std::string text = fmt::format(
-      "target error {:g} m, on a trial of {:.6g} s of this world\n"
+      "target error {:g} m, on a trial of {:.6g} s of this world; CPU times are estimated\n"
       "where the balls should be: {}, Dt = {:.3g} s; the last halving moved none by more "
       "than {:.2g} m\n"
       "{:26} {:>8} {:>12} {:>12} {:>12}\n",
       error, choice.duration, name(choice.referenceMethod), choice.referenceDt,
-      choice.referenceChange, "method", "substeps", "Dt (s)", "error (m)", "work (s)");
+      choice.referenceChange, "method", "substeps", "Dt (s)", "error (m)", "CPU time (s)");
   for (const TriedMethod& tried : choice.tried)
     text += row(tried, tried.method == choice.best.method && tried.isReached);
   if (!choice.isComplete) text += "the search ended early: more would cost more than a trial may\n";

@@ -77,8 +77,8 @@ struct TrialRun {
   std::int64_t steps = 0;          // that were made
   double work = 0;                 // s, estimated (stepWork), of these
   bool usedSubsteps = false;       // some ball was moved by substeps
-  ContactMethod contacts =
-      ContactMethod::Auto;  // in use, where the integrator forbids what is asked
+  /// In use: not the one asked for, where the integrator forbids that.
+  ContactMethod contacts = ContactMethod::Auto;
 };
 
 /// What stops a run early, so that it has fewer samples than it should.
