@@ -106,8 +106,8 @@ class Search {
     now.steps *= 2;
     now.work = last.work;
     now.isOpen = !last.isReached && !last.isOther &&
-                 reference_.times.dt(now.steps) >= kShortestStep &&
-                 trials_.work() < kMostTrialWork && last.work < best_.work;
+                 reference_.times.dt(now.steps) >= kShortestStep && trials_.spent() < 1 &&
+                 last.work < best_.work;
     candidates_[index] = now;
   }
 
@@ -163,7 +163,7 @@ class Search {
 
   /// s; what the next run may cost to be of use: between its step and twice that, which was too
   /// long, there may be one that costs half.
-  double mostWork() const { return std::min(2 * best_.work, kMostTrialWork - trials_.work()); }
+  double mostWork() const { return std::min(2 * best_.work, trials_.workLeft()); }
 
   Trials& trials_;
   const TrialGoal& goal_;
@@ -188,7 +188,7 @@ Choice chooseMethod(const TrialWorld& world, const TrialGoal& goal,
           .referenceDt = reference.dt,
           .referenceChange = reference.change,
           .tried = search.tried(),
-          .isComplete = trials.work() < kMostTrialWork};
+          .isComplete = trials.spent() < 1};
 }
 
 }  // namespace wells

@@ -15,13 +15,16 @@ namespace {
 // thousands of steps rounds.
 const Range kErrors = Range::between(1e-11, 1);
 
-std::string row(const TriedMethod& tried, bool isChosen) {
+std::string row(const TriedMethod& tried, const TriedMethod& best) {
+  const bool isChosen = tried.isReached && tried.method == best.method;
+  const bool isDearer = tried.work >= best.work;
   return fmt::format("{:26} {:>8} {:>12.6g} {:>12} {:>12.3g}  {}\n", name(tried.method),
                      tried.method.substeps, tried.dt,
                      tried.isReached ? fmt::format("{:.2g}", tried.error) : "-", tried.work,
                      isChosen          ? "chosen"
                      : tried.isReached ? ""
-                                       : "not reached, and shorter steps cost more");
+                     : isDearer        ? "not reached, and shorter steps cost more"
+                                       : "not reached, and not tried further");
 }
 
 }  // namespace
@@ -73,8 +76,7 @@ std::string choiceText(const Choice& choice, double error, double duration) {
       "{:26} {:>8} {:>12} {:>12} {:>12}\n",
       error, choice.duration, name(choice.referenceMethod), choice.referenceDt,
       choice.referenceChange, "method", "substeps", "Dt (s)", "error (m)", "CPU time (s)");
-  for (const TriedMethod& tried : choice.tried)
-    text += row(tried, tried.method == choice.best.method && tried.isReached);
+  for (const TriedMethod& tried : choice.tried) text += row(tried, choice.best);
   if (!choice.isComplete) text += "the search ended early: more would cost more than a trial may\n";
   if (choice.duration < duration * (1 - 1e-9))
     text += fmt::format("nothing is promised beyond {:.6g} s: {}\n", choice.duration,

@@ -15,7 +15,7 @@ namespace wells {
 namespace {
 
 constexpr int kMostSamples = 16;
-constexpr double kWorkShare = 0.5;  // of the trial's work that is left
+constexpr double kShare = 0.5;      // of what is left of the trial
 constexpr double kTolerance = 0.5;  // of the error
 constexpr double kFarLess = 16;     // by this the highest order shrinks an error at each halving
 constexpr double kStalled = 0.7;    // of the change by the halving before: no convergence
@@ -60,7 +60,8 @@ class Convergence {
   /// by far less.
   void run() {
     const double tolerance = kTolerance * goal_.error;
-    const double mostWork = trials_.work() + kWorkShare * (kMostTrialWork - trials_.work());
+    const double before = trials_.spent();
+    const double most = before + kShare * (1 - before);
     steps_ = fewestSteps_;
     last_ = runWith(steps_);
     double change = std::numeric_limits<double>::infinity();  // m, where runs first disagree
@@ -70,7 +71,8 @@ class Convergence {
     while (agreed_ < times_.count && stalls < kMostStalls) {
       const std::int64_t next = halved(steps_);
       const double expected = last_.work * static_cast<double>(next) / static_cast<double>(steps_);
-      if (trials_.work() + expected > mostWork || times_.dt(next) < kShortestStep) return;
+      if (trials_.spent() + expected / kMostTrialWork > most || times_.dt(next) < kShortestStep)
+        return;
       before_ = std::move(last_);
       stepsBefore_ = std::exchange(steps_, next);
       last_ = runWith(steps_);

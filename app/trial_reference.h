@@ -21,7 +21,7 @@ struct Reference {
   std::string whyShorter;  // than the goal's duration; empty if it is not
 };
 
-/// For a trial of `duration` (s) at most, with half of the work that is left. Throws Unreachable.
+/// For a trial of `duration` (s) at most, with half of what is left to spend. Throws Unreachable.
 Reference findReference(Trials& trials, const TrialGoal& goal, double duration);
 
 }  // namespace wells

@@ -55,6 +55,11 @@ TrialRun Trials::run(const TrialMethod& method, const TrialTimes& times,
   return run;
 }
 
+double Trials::spent() const {
+  const double time = std::chrono::duration<double>(Clock::now() - start_).count();
+  return std::max(work_ / kMostTrialWork, time / kMostTrialTime);
+}
+
 std::string name(const TrialMethod& method) {
   return fmt::format("{} {}", method.integrator, name(method.contacts));
 }

@@ -2,6 +2,7 @@
 // at a few times of each, and what it cost. Draws no conclusion.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -41,8 +42,10 @@ inline constexpr double kLongestStep = 2.0 / 15;
 /// s, to be chosen.
 inline constexpr double kShortestStep = 1e-6;
 
-/// Bounds a trial: s, estimated, of all its runs but for the last.
+/// What bounds a trial, all its runs together but for the last: s, estimated, and s of wall time
+/// for worlds whose cost the estimate misses.
 inline constexpr double kMostTrialWork = 6;
+inline constexpr double kMostTrialTime = 30;
 
 struct TrialGoal {
   double error = 0;                   // m
@@ -102,12 +105,20 @@ class Trials {
 
   World start(double dt) const { return world_(dt).world; }
   void say(const std::string& what) const { progress_(what); }
-  double work() const { return work_; }  // s, estimated
+
+  /// s, estimated, that is left.
+  double workLeft() const { return kMostTrialWork - work_; }
+
+  /// Of what bounds the trial; 1: all.
+  double spent() const;
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   const TrialWorld& world_;
   const std::function<void(const std::string&)>& progress_;
-  double work_ = 0;
+  Clock::time_point start_ = Clock::now();
+  double work_ = 0;  // s, estimated
 };
 
 /// The largest distance (m) of a ball between two samples; infinite where only one is finite.
