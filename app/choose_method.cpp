@@ -35,8 +35,7 @@ class Search {
       : trials_(trials),
         goal_(goal),
         reference_(reference),
-        best_{reference.method, reference.coarserDt, 2 * reference.change, reference.coarserWork,
-              true},
+        best_{reference.known},
         tried_{best_} {}
 
   void run() {
@@ -169,7 +168,7 @@ class Search {
   const TrialGoal& goal_;
   const Reference& reference_;
   std::vector<Candidate> candidates_;
-  TriedMethod best_;  // at first a run of the reference's
+  TriedMethod best_;  // at first one of the reference's runs
   std::vector<TriedMethod> tried_;
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "flight/integrators.h"
 #include "forces/field.h"
@@ -62,20 +63,18 @@ class Convergence {
     const double tolerance = kTolerance * goal_.error;
     const double before = trials_.spent();
     const double most = before + kShare * (1 - before);
-    steps_ = fewestSteps_;
-    last_ = runWith(steps_);
+    runWith(fewestSteps_);
     double change = std::numeric_limits<double>::infinity();  // m, where runs first disagree
     int agreedBefore = 0;
     int mostAgreed = 0;
     int stalls = 0;
     while (agreed_ < times_.count && stalls < kMostStalls) {
-      const std::int64_t next = halved(steps_);
-      const double expected = last_.work * static_cast<double>(next) / static_cast<double>(steps_);
+      const std::int64_t next = halved(last().steps);
+      const double expected =
+          last().run.work * static_cast<double>(next) / static_cast<double>(last().steps);
       if (trials_.spent() + expected / kMostTrialWork > most || times_.dt(next) < kShortestStep)
         return;
-      before_ = std::move(last_);
-      stepsBefore_ = std::exchange(steps_, next);
-      last_ = runWith(steps_);
+      runWith(next);
       const int agreed = agreement(tolerance);
       agreed_ = std::max(std::min(agreedBefore, agreed), agreement(tolerance / kFarLess));
       const double now = agreed_ < times_.count ? changeAt(agreed_) : 0;
@@ -96,12 +95,14 @@ class Convergence {
 
   /// Why there are no more of them.
   std::string reason() {
-    if (before_.samples.empty()) return "more of this world costs more than a trial may";
+    if (made_.size() < 2) return "more of this world costs more than a trial may";
     trials_.say("the world's own sensitivity");
+    const Made& before = made_.end()[-2];
+    const Positions& there = before.run.samples[agreed_];
     const double until = times_.interval * (agreed_ + 1);  // s
-    const double nudge = kNudge * largestCoordinate(before_.samples[agreed_]);
-    const TrialRun nudged = trials_.run(method_, times_, stepsBefore_, {}, nudge);
-    const double apart = largestDistance(nudged.samples[agreed_], before_.samples[agreed_]);
+    const double nudge = kNudge * largestCoordinate(there);
+    const TrialRun nudged = trials_.run(method_, times_, before.steps, {}, nudge);
+    const double apart = largestDistance(nudged.samples[agreed_], there);
     const double change = changeAt(agreed_);
     if (apart > kTolerance * goal_.error)
       return fmt::format(
@@ -118,30 +119,43 @@ class Convergence {
     return fmt::format(
         "by {:.3g} s it is not sure where the balls should be: halving steps of {:.2g} s still "
         "moves one by {:.2g} m, and going on costs more than a trial may",
-        until, times_.dt(stepsBefore_), change);
+        until, times_.dt(before.steps), change);
   }
 
   /// With the samples that agreed.
-  Reference reference() && {
+  Reference reference(const std::string& whyShorter) const {
     Reference result{.times = {times_.interval, agreed_},
                      .fewestSteps = fewestSteps_,
-                     .samples = {},
+                     .samples = last().run.samples,
                      .method = method_,
-                     .dt = times_.dt(steps_),
+                     .dt = times_.dt(last().steps),
                      .change = 0,
-                     .coarserDt = times_.dt(stepsBefore_),
-                     .coarserWork = before_.work * agreed_ / times_.count,
-                     .whyShorter = {}};
+                     .known = {},
+                     .whyShorter = whyShorter};
     for (int i = 0; i < agreed_; ++i) result.change = std::max(result.change, changeAt(i));
-    result.samples = std::move(last_.samples);
+    for (auto made = made_.rbegin() + 1; made != made_.rend(); ++made) {
+      double error = result.change;
+      for (int i = 0; i < agreed_; ++i)
+        error = std::max(error,
+                         result.change + largestDistance(made->run.samples[i], result.samples[i]));
+      const double work = made->run.work * agreed_ / times_.count;
+      if (error <= goal_.error && (result.known.work == 0 || work < result.known.work))
+        result.known = {method_, times_.dt(made->steps), error, work, true};
+    }
     return result;
   }
 
  private:
-  TrialRun runWith(std::int64_t steps) {
+  struct Made {
+    std::int64_t steps = 0;  // in an interval
+    TrialRun run;
+  };
+  const Made& last() const { return made_.back(); }
+
+  void runWith(std::int64_t steps) {
     trials_.say(fmt::format("reference, {}, dt = {:.3g} s", name(method_), times_.dt(steps)));
     try {
-      return trials_.run(method_, times_, steps, {});
+      made_.push_back({steps, trials_.run(method_, times_, steps, {})});
     } catch (const std::runtime_error& error) {  // more elastic impacts than a step may have
       throw Unreachable(error.what());
     }
@@ -164,7 +178,7 @@ class Convergence {
 
   /// m, by the last halving.
   double changeAt(int sample) const {
-    return largestDistance(before_.samples[sample], last_.samples[sample]);
+    return largestDistance(made_.end()[-2].run.samples[sample], last().run.samples[sample]);
   }
 
   /// How many of the first samples the last halving changed by no more than `tolerance` (m).
@@ -178,11 +192,8 @@ class Convergence {
   const TrialGoal& goal_;
   TrialMethod method_;
   TrialTimes times_;
-  std::int64_t fewestSteps_ = 1;  // all three: in an interval
-  std::int64_t steps_ = 1;        // of the last run
-  std::int64_t stepsBefore_ = 1;  // of the one before
-  TrialRun last_;
-  TrialRun before_;  // without samples where there is none
+  std::int64_t fewestSteps_ = 1;  // in an interval
+  std::vector<Made> made_;        // each with steps half as long as the one before
   int agreed_ = 0;
   bool isStalled_ = false;  // halving has stopped helping
 };
@@ -196,11 +207,7 @@ Reference findReference(Trials& trials, const TrialGoal& goal, double duration) 
     Convergence convergence(trials, goal, duration);
     convergence.run();
     if (convergence.agreed() < convergence.times().count) why = convergence.reason();
-    if (convergence.agreed() > 0) {
-      Reference found = std::move(convergence).reference();
-      found.whyShorter = why;
-      return found;
-    }
+    if (convergence.agreed() > 0) return convergence.reference(why);
     if (convergence.times().count == 1) throw Unreachable(why + "; allowed: a larger error");
     duration = convergence.times().interval;
   }

@@ -1,5 +1,7 @@
 // Where the balls of a world should be: what runs of the integrator of the highest order converge
-// to when its steps are halved, as far as they do.
+// to. It is known as far as halving the steps moves no ball by more than half of the error, twice
+// in a row, or once by a sixteenth of that; a method of order p >= 1 is then off by no more than the
+// last halving moved it.
 #pragma once
 
 #include <string>
@@ -16,8 +18,7 @@ struct Reference {
   TrialMethod method;
   double dt = 0;           // s
   double change = 0;       // m, largest by the last halving; at most half of the error
-  double coarserDt = 0;    // s, before the last halving: within the error, therefore
-  double coarserWork = 0;  // s, estimated, of that run
+  TriedMethod known;       // the cheapest of its runs, but for the last, that is within the error
   std::string whyShorter;  // than the goal's duration; empty if it is not
 };
 

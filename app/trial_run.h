@@ -36,6 +36,16 @@ struct TrialMethod {
 /// "pefrl auto".
 std::string name(const TrialMethod& method);
 
+/// A method with the longest step found with which it is within the error, or with which it was
+/// given up.
+struct TriedMethod {
+  TrialMethod method;
+  double dt = 0;     // s
+  double error = 0;  // m, largest distance from the reference, and the reference's own; if reached
+  double work = 0;   // s, estimated, for the trial
+  bool isReached = false;
+};
+
 /// s, to be chosen: longer steps would show in pictures.
 inline constexpr double kLongestStep = 2.0 / 15;
 
