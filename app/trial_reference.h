@@ -1,7 +1,7 @@
 // Where the balls of a world should be: what runs of the integrator of the highest order converge
 // to. It is known as far as halving the steps moves no ball by more than half of the error, twice
-// in a row, or once by a sixteenth of that; a method of order p >= 1 is then off by no more than the
-// last halving moved it.
+// in a row, or once by a sixteenth of that; a method of order p >= 1 is then off by no more than
+// the last halving moved it.
 #pragma once
 
 #include <string>
