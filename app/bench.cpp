@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -17,6 +19,7 @@
 #include "progress.h"
 #include "scenes/catalogue.h"
 #include "stress_bench.h"
+#include "target_error.h"
 #include "text_file.h"
 #include "values.h"
 #include "world/settling.h"
@@ -41,7 +44,8 @@ struct BenchOptions {
   std::int64_t iterations = 0;  // 0: the scene's
   std::int64_t threads = 1;
   std::int64_t seed = 1;
-  double dt = 0;  // s; 0: the scene's
+  double dt = 0;           // s; 0: the scene's
+  double targetError = 0;  // m; 0: none
   fs::path csv;
   bool list = false;
   bool noBooks = false;
@@ -87,6 +91,11 @@ void addOptions(CLI::App& app, BenchOptions& options) {
          },
          "one step (default 1/60)")
       ->type_name("s");
+  app.add_option_function<std::string>(
+         "--target-error",
+         [&](const std::string& value) { options.targetError = parseTargetError(value); },
+         targetErrorHelp())
+      ->type_name("m");
   app.add_option_function<std::string>(
          "--csv", [&](const std::string& value) { options.csv = value; },
          "appends the row to this file instead of printing it")
@@ -141,6 +150,39 @@ World sceneWorld(const BenchOptions& options) {
   return world;
 }
 
+void requireTrial(const BenchOptions& options) {
+  if (options.targetError == 0) return;
+  if (options.engine != "ours")
+    throw UsageError(fmt::format(
+        "--target-error: chooses for ours, not for {}; allowed: --engine ours", options.engine));
+  const std::pair<const char*, bool> chosen[] = {{"--dt", options.dt > 0},
+                                                 {"--integrator", !options.integrator.empty()},
+                                                 {"--contacts", !options.contacts.empty()},
+                                                 {"--substeps", options.substeps > 0},
+                                                 {"--from settled", options.from == "settled"}};
+  for (const auto& [name, isGiven] : chosen)
+    if (isGiven)
+      throw UsageError(
+          fmt::format("--target-error and {}: both say how; allowed: one of them", name));
+}
+
+/// Puts the choice of --target-error into `world`, says it on stderr, and returns the number of
+/// steps that make the same duration.
+std::int64_t chooseFor(double targetError, std::int64_t steps, World& world) {
+  const double duration = static_cast<double>(steps) * world.settings.dt;
+  const auto start = [&world](double dt) {
+    World now = world;
+    now.settings.dt = dt;
+    return TrialStart{now, {}};
+  };
+  Settings settings = world.settings;
+  const Choice choice = chooseSettings(start, targetError, duration, kLongestStep,
+                                       ProgressLine::Shown::Yes, settings);
+  fmt::print(stderr, "{}", choiceText(choice, targetError, duration));
+  world.settings = settings;
+  return std::max<std::int64_t>(1, std::llround(duration / settings.dt));
+}
+
 /// Calls run(progress) under a progress line.
 template <class Run>
 auto withProgress(const RunGoal& goal, Run run) {
@@ -156,11 +198,12 @@ auto withProgress(const RunGoal& goal, Run run) {
 
 BenchResult runScene(const BenchOptions& options) {
   const Scene& scene = findScene(options.scene);
-  const std::int64_t steps = options.steps > 0 ? options.steps : scene.defaultSteps;
+  std::int64_t steps = options.steps > 0 ? options.steps : scene.defaultSteps;
   const auto newStepper = [&] {
     return makeEngine(options.engine, scene.sleeping ? Sleeping::On : Sleeping::Off);
   };
   World world = sceneWorld(options);
+  if (options.targetError > 0) steps = chooseFor(options.targetError, steps, world);
   const auto stepper = newStepper();
   const BenchFrom from = options.from == "settled" ? BenchFrom::Settled : BenchFrom::Start;
   if (from == BenchFrom::Settled)
@@ -202,6 +245,7 @@ int runBench(std::span<const std::string> arguments, char** argv) {
     listScenes();
     return 0;
   }
+  requireTrial(options);
   if (!options.csv.empty()) checkCsv(options.csv);
   becomeExecutableOf(options.engine, argv);
 

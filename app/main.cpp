@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench.h"
@@ -32,10 +33,10 @@ constexpr const char* kUsage =
     "Each takes --help.\n";
 
 int peer(const std::vector<std::string>& arguments, char** argv) {
-  const auto options = parsePeerOptions(arguments);
+  auto options = parsePeerOptions(arguments);
   if (!options) return 0;
   becomeExecutableOf(options->engine, argv);
-  return runPeer(*options);
+  return runPeer(std::move(*options));
 }
 
 int run(int argc, char** argv) {

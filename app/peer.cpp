@@ -2,15 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <future>
+#include <limits>
 
 #include "ball_file.h"
 #include "interrupt.h"
 #include "peer_runs.h"
+#include "target_error.h"
 #include "text_file.h"
 #include "views.h"
+#include "well_motion.h"
+#include "world_setup.h"
 
 namespace wells {
 namespace {
@@ -49,13 +54,43 @@ void writeOutputs(const PeerSetup& setup, const RunReport& report) {
   if (!options.report.empty()) writeAtomically(options.report, reportAsJson(report));
 }
 
+/// Chooses the method and puts it into `options`.
+Choice chooseFor(PeerOptions& options) {
+  constexpr double kTrialOfEndless = 5;  // s
+  Config& config = options.config;
+  const World start = makeWorld(config, options.engine);
+  const auto world = [&](double dt) {
+    const auto motion = std::make_shared<WellMotion>(config, dt);
+    World now = start;
+    now.settings.dt = dt;
+    now.tracks.push_back(motion->trackAt(PeerId{static_cast<std::int32_t>(config.peerId)}, 0));
+    return TrialStart{now, [motion](World& w) { motion->extend(w.tracks.back(), w.step); }};
+  };
+  // Keyframes fall on steps: those of a path between longer steps might be other ones.
+  const bool isStill = config.wellPath.kind == WellPath::Kind::Still;
+  const double longest = isStill ? kLongestStep : std::min(kLongestStep, config.settings.dt);
+  const double duration = options.duration.value_or(kTrialOfEndless);
+  Choice choice = chooseSettings(world, options.targetError, duration, longest,
+                                 options.quiet ? ProgressLine::Shown::No : ProgressLine::Shown::Yes,
+                                 config.settings);
+  countSteps(options);
+  return choice;
+}
+
 }  // namespace
 
-int runPeer(const PeerOptions& options) {
+int runPeer(PeerOptions options) {
   const auto notice = [&](const std::string& text) {
     if (!options.quiet && !text.empty()) printNotice(text);
   };
   for (const std::string& text : options.notices) notice(text);
+  std::optional<Choice> choice;
+  if (options.targetError > 0) {
+    choice = chooseFor(options);
+    if (!options.quiet)
+      fmt::print("{}", choiceText(*choice, options.targetError,
+                                  options.duration.value_or(std::numeric_limits<double>::max())));
+  }
   PeerSetup setup(options);
   std::optional<Link> link;
   if (options.company == Company::Session) link.emplace(openLink(options));
@@ -81,6 +116,11 @@ int runPeer(const PeerOptions& options) {
     report.framesDrawn = counts.drawn;
     report.framesRepeated = counts.repeated;
   }
+  if (choice)
+    report.trial = {.targetError = options.targetError,
+                    .error = choice->best.error,
+                    .duration = choice->duration,
+                    .substeps = choice->best.method.substeps};
   writeOutputs(setup, report);
   if (!options.quiet) fmt::print("{}", reportAsText(report));
   return 0;

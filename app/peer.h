@@ -7,6 +7,6 @@ namespace wells {
 
 /// Runs until the end that the options name, or an interrupt, and writes the files that they ask
 /// for. Returns the exit status. Throws UsageError and RunError.
-int runPeer(const PeerOptions& options);
+int runPeer(PeerOptions options);
 
 }  // namespace wells

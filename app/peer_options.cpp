@@ -13,6 +13,7 @@
 #include "network/lcm_url.h"
 #include "saved_config.h"
 #include "snapshot_file.h"
+#include "target_error.h"
 #include "text_file.h"
 #include "values.h"
 #include "world_setup.h"
@@ -34,9 +35,7 @@ struct Words {
   fs::path restoreFile;
   std::vector<Setting> settings;
   std::optional<std::string> engine;
-  std::optional<double> duration;  // s
   std::optional<std::int64_t> steps;
-  std::optional<double> saveInterval;  // s
 };
 
 double parseTime(const std::string& option, const std::string& value) {
@@ -94,7 +93,7 @@ void addRunOptions(CLI::App& app, PeerOptions& options, Words& words) {
       ->group(group);
   app.add_option_function<std::string>(
          "--duration",
-         [&](const std::string& value) { words.duration = parseTime("--duration", value); },
+         [&](const std::string& value) { options.duration = parseTime("--duration", value); },
          "simulated time after which to stop; else it runs until Ctrl-C")
       ->type_name("s")
       ->group(group);
@@ -131,6 +130,17 @@ void addRunOptions(CLI::App& app, PeerOptions& options, Words& words) {
   app.add_flag("--quiet", options.quiet, "no progress and no notices")->group(group);
 }
 
+void addTargetError(CLI::App& app, PeerOptions& options) {
+  app.add_option_function<std::string>(
+         "--target-error",
+         [&](const std::string& value) { options.targetError = parseTargetError(value); },
+         targetErrorHelp() +
+             ". With --solo: in a session all peers need the same, so put the lines that it prints "
+             "into everybody's config")
+      ->type_name("m")
+      ->group("Run");
+}
+
 void addSnapshotOptions(CLI::App& app, PeerOptions& options, Words& words) {
   const std::string group = "Snapshot (with --solo)";
   addPath(app, "--save-snapshot", options.snapshot,
@@ -138,7 +148,7 @@ void addSnapshotOptions(CLI::App& app, PeerOptions& options, Words& words) {
   app.add_option_function<std::string>(
          "--save-snapshot-every",
          [&](const std::string& value) {
-           words.saveInterval = parseTime("--save-snapshot-every", value);
+           options.saveInterval = parseTime("--save-snapshot-every", value);
          },
          "simulated time after which --save-snapshot writes its file anew")
       ->type_name("s")
@@ -236,16 +246,31 @@ void applyEngine(PeerOptions& options, const Words& words) {
 }
 
 void applyTimes(PeerOptions& options, const Words& words) {
-  const double dt = stepLength(options.config, options.engine);
-  const std::int64_t first = options.restored ? options.restored->world.step : 0;
-  if (words.steps && words.duration)
+  if (words.steps && options.duration)
     throw UsageError("--steps and --duration: both given; allowed: one of them");
-  if (words.steps) options.steps = first + *words.steps;
-  if (words.duration) options.steps = first + std::llround(*words.duration / dt);
-  if (!words.saveInterval) return;
-  if (options.snapshot.empty())
+  if (words.steps)
+    options.steps = (options.restored ? options.restored->world.step : 0) + *words.steps;
+  if (options.saveInterval && options.snapshot.empty())
     throw UsageError("--save-snapshot-every: no file is named; allowed: with --save-snapshot");
-  options.snapshotEvery = std::max<std::int64_t>(1, std::llround(*words.saveInterval / dt));
+  countSteps(options);
+}
+
+/// A trial chooses what sessions, snapshots and numbers of steps need to know before.
+void requireTrial(const PeerOptions& options, const Words& words) {
+  if (options.targetError == 0) return;
+  if (options.company == Company::Session)
+    throw UsageError(
+        "--target-error: all peers of a session need the same Dt, Integrator, ContactMethod and "
+        "Substeps; allowed: with --solo, which prints them for everybody's config");
+  if (options.restored)
+    throw UsageError(
+        "--target-error and --restore: a snapshot goes on with its own Dt; allowed: one of them");
+  if (words.steps)
+    throw UsageError(
+        "--target-error and --steps: how long a step is will be chosen; allowed: --duration");
+  if (options.engine != "ours")
+    throw UsageError(fmt::format(
+        "--target-error: chooses for ours, not for {}; allowed: --engine ours", options.engine));
 }
 
 void requireConsistent(const PeerOptions& options) {
@@ -263,12 +288,21 @@ void requireConsistent(const PeerOptions& options) {
 
 }  // namespace
 
+void countSteps(PeerOptions& options) {
+  const double dt = stepLength(options.config, options.engine);
+  const std::int64_t first = options.restored ? options.restored->world.step : 0;
+  if (options.duration) options.steps = first + std::llround(*options.duration / dt);
+  if (options.saveInterval)
+    options.snapshotEvery = std::max<std::int64_t>(1, std::llround(*options.saveInterval / dt));
+}
+
 std::optional<PeerOptions> parsePeerOptions(std::span<const std::string> arguments) {
   PeerOptions options;
   Words words;
   CLI::App app("Runs one peer of a gravity-wells session, or a world alone (--solo).",
                "gravity-wells peer");
   addRunOptions(app, options, words);
+  addTargetError(app, options);
   addSnapshotOptions(app, options, words);
   addNetworkOptions(app, options);
   addOutputOptions(app, options);
@@ -280,6 +314,7 @@ std::optional<PeerOptions> parsePeerOptions(std::span<const std::string> argumen
   applyEngine(options, words);
   applyTimes(options, words);
   requireConsistent(options);
+  requireTrial(options, words);
   requireOutputs(options);
   return options;
 }

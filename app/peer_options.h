@@ -26,22 +26,25 @@ struct PeerOptions {
   Config config;
   IdOrigin idOrigin = IdOrigin::File;
   Company company = Company::Session;
-  std::int64_t steps = kEndless;  // the world's step at which the run stops
+  std::optional<double> duration;  // s, as asked for
+  std::int64_t steps = kEndless;   // the world's step at which the run stops
+  double targetError = 0;          // m; 0: settings as they are
   std::string engine = "ours";
   std::int64_t threads = 1;
   std::string lcmUrl;  // empty: from UDPPort, staying on this host
   bool requireLcm = false;
   bool quiet = false;
-  std::filesystem::path frames;      // a folder; empty: none
-  std::filesystem::path video;       // empty: none
-  std::filesystem::path lastFrame;   // empty: none
-  std::filesystem::path stateOut;    // empty: none
-  std::filesystem::path report;      // empty: none
-  std::filesystem::path snapshot;    // to be written; empty: none
-  bool measures = false;             // keeps books of energy and momentum
-  std::int64_t snapshotEvery = 0;    // steps; 0: only at the end
-  std::optional<Snapshot> restored;  // goes on from this, with its config and engine
-  std::vector<std::string> notices;  // about the config file
+  std::filesystem::path frames;        // a folder; empty: none
+  std::filesystem::path video;         // empty: none
+  std::filesystem::path lastFrame;     // empty: none
+  std::filesystem::path stateOut;      // empty: none
+  std::filesystem::path report;        // empty: none
+  std::filesystem::path snapshot;      // to be written; empty: none
+  bool measures = false;               // keeps books of energy and momentum
+  std::optional<double> saveInterval;  // s, as asked for
+  std::int64_t snapshotEvery = 0;      // steps; 0: only at the end
+  std::optional<Snapshot> restored;    // goes on from this, with its config and engine
+  std::vector<std::string> notices;    // about the config file
 
   bool drawsPictures() const { return !(frames.empty() && video.empty() && lastFrame.empty()); }
   bool hasEnd() const { return steps != kEndless; }
@@ -50,5 +53,8 @@ struct PeerOptions {
 /// Parses the arguments behind "peer". Prints the help and returns nothing when that is asked for.
 /// Throws UsageError. Looks at files and folders that are named, but starts and writes nothing.
 std::optional<PeerOptions> parsePeerOptions(std::span<const std::string> arguments);
+
+/// Makes steps of `duration` and `saveInterval`: again after Dt has changed.
+void countSteps(PeerOptions& options);
 
 }  // namespace wells

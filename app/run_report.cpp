@@ -133,6 +133,11 @@ std::string reportAsJson(const RunReport& r) {
       {"frames_drawn", r.framesDrawn},
       {"frames_repeated", r.framesRepeated},
   };
+  if (r.trial)
+    json["target_error"] = {{"asked_m", r.trial->targetError},
+                            {"trial_error_m", r.trial->error},
+                            {"trial_s", r.trial->duration},
+                            {"substeps", r.trial->substeps}};
   if (r.books) json["books"] = booksAsJson(*r.books);
   return json.dump(2) + "\n";
 }

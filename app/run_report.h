@@ -18,12 +18,21 @@ struct LoopRate {
   double actual = 0;  // mean over the run; 0: the loop did not run
 };
 
+/// How the settings were chosen, with --target-error.
+struct TrialReport {
+  double targetError = 0;  // m
+  double error = 0;        // m, of the choice in the trial
+  double duration = 0;     // s, of the trial
+  int substeps = 0;        // chosen; the rest of the choice is what the run has
+};
+
 struct RunReport {
   std::string engine;
   std::string integrator;
   std::string contacts;  // method
   double dt = 0;         // s
   std::int64_t threads = 1;
+  std::optional<TrialReport> trial;
 
   std::int64_t steps = 0;    // the world's step at the end
   double simulatedTime = 0;  // s, at the end

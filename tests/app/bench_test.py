@@ -52,6 +52,18 @@ class Bench(unittest.TestCase):
         self.assertEqual(len({row["state_hash"] for row in rows}), 1)
         self.assertEqual({row["escaped"] for row in rows}, {"0"})
 
+    def test_a_target_error_chooses_for_the_scene(self):
+        done = run("bench", "--csv", self.csv, "--scene", "orbit-short", "--target-error", "1e-6")
+        self.assertEqual(done.returncode, 0)
+        with open(self.csv, newline="") as file:
+            row = list(csv.DictReader(file))[-1]
+        self.assertIn(f"Dt={row['dt'].rstrip('0')}"[:12], done.stderr)
+        self.assertIn(f"Integrator={row['integrator']}\n", done.stderr)
+        self.assertAlmostEqual(float(row["dt"]) * int(row["steps"]), 2, places=9)
+        refused = run("bench", "--target-error", "1e-6", "--dt", "0.01")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("--target-error and --dt: both say how; allowed: one of them", refused.stderr)
+
     def test_the_booked_energy_is_what_was_gained(self):
         world = ("--scene", "T1", "--balls", 50, "--steps", 200)
         row = self.rows(*world)[-1]

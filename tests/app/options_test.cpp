@@ -65,6 +65,18 @@ TEST(PeerOptions, DurationBecomesSteps) {
   EXPECT_EQ(parsed({"--steps", "7"}).steps, 7);
 }
 
+TEST(PeerOptions, StepsAreCountedAnewWhenDtHasChanged) {
+  const TemporaryFolder folder;
+  PeerOptions options = parsed({"--solo", "--duration", "10", "--target-error", "1e-6",
+                                "--save-snapshot", folder / "world", "--save-snapshot-every", "1"});
+  EXPECT_EQ(options.targetError, 1e-6);
+  EXPECT_EQ(options.steps, 600);
+  options.config.settings.dt = 0.05;
+  countSteps(options);
+  EXPECT_EQ(options.steps, 200);
+  EXPECT_EQ(options.snapshotEvery, 20);
+}
+
 TEST(PeerOptions, EveryKeyIsAnOption) {
   for (const Key& key : keys()) {
     if (key.name == "HostIP") continue;  // takes any text
@@ -110,6 +122,15 @@ TEST(PeerOptions, RefusesEveryBadOption) {
       {{"--solo", "--lcm-url", "udpm://239.255.76.67:9171?ttl=0"},
        "--solo and --lcm-url",
        "one of them"},
+      {{"--solo", "--target-error", "1e-12"}, "--target-error 1e-12: out of range", "1e-11 to 1"},
+      {{"--solo", "--target-error", "small"}, "--target-error small: not a number", "in m"},
+      {{"--target-error", "1e-6"}, "--target-error: all peers of a session", "with --solo"},
+      {{"--solo", "--target-error", "1e-6", "--steps", "5"},
+       "--target-error and --steps",
+       "--duration"},
+      {{"--solo", "--target-error", "1e-6", "--engine", "bullet"},
+       "--target-error: chooses for ours, not for bullet",
+       "--engine ours"},
       {{"--frames", "/absent/folder/frames"}, "--frames /absent/folder/frames", "folder"},
       {{"--video", "/absent/a.mp4"}, "--video /absent/a.mp4", "a file in a folder that exists"},
       {{"--last-frame", "/absent/a.png"}, "--last-frame /absent/a.png", "a file in a folder"},

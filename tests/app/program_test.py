@@ -69,6 +69,29 @@ class Program(unittest.TestCase):
                 self.assertEqual(done.returncode, 0, done.stderr)
                 self.assertEqual(json.loads(report.read_text())["engine"], engine)
 
+    def test_the_lines_of_target_error_make_the_same_run(self):
+        config, report = self.folder / "world.txt", self.folder / "report.json"
+        world = ("NumOfBalls=3\nSurfaceRadius=10\nElasticity=1\nFriction=0\nWellStrength=30\n"
+                 "WellPosition=1,3,0\nWellPath=circle,4,20\n")
+        config.write_text(world)
+        done = run("peer", "--solo", "--config", config, "--duration", 1, "--target-error", "1e-6",
+                   "--report", report)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        chosen = json.loads(report.read_text())
+        self.assertAlmostEqual(chosen["sim_time_s"], 1, places=9)
+        self.assertEqual(chosen["target_error"]["asked_m"], 1e-6)
+        self.assertLessEqual(chosen["target_error"]["trial_error_m"], 1e-6)
+        lines = done.stdout.split("as lines of a config:\n")[1].splitlines()[:4]
+        self.assertEqual([line.split("=")[0] for line in lines],
+                         ["Dt", "Integrator", "ContactMethod", "Substeps"])
+        self.assertEqual(float(lines[0].split("=")[1]), chosen["dt"])
+        config.write_text(world + "\n".join(lines) + "\n")
+        done = self.solo("--config", config, "--duration", 1, "--report", report)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        again = json.loads(report.read_text())
+        self.assertEqual(again["state_hash"], chosen["state_hash"])
+        self.assertNotIn("target_error", again)
+
     def test_frames_are_due_in_simulated_time(self):
         frames = self.folder / "frames"
         done = self.solo("--steps", 60, "--GraphicsRate", 10, "--frames", frames, "--ScreenWidth", 160,
