@@ -163,7 +163,7 @@ void requireTrial(const BenchOptions& options) {
   for (const auto& [name, isGiven] : chosen)
     if (isGiven)
       throw UsageError(
-          fmt::format("--target-error and {}: both say how; allowed: one of them", name));
+          fmt::format("--target-error and {}: they exclude each other; allowed: one of them", name));
 }
 
 /// Puts the choice of --target-error into `world`, says it on stderr, and returns the number of

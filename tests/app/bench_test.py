@@ -62,7 +62,7 @@ class Bench(unittest.TestCase):
         self.assertAlmostEqual(float(row["dt"]) * int(row["steps"]), 2, places=9)
         refused = run("bench", "--target-error", "1e-6", "--dt", "0.01")
         self.assertEqual(refused.returncode, 2)
-        self.assertIn("--target-error and --dt: both say how; allowed: one of them", refused.stderr)
+        self.assertIn("--target-error and --dt: they exclude each other; allowed: one of them", refused.stderr)
 
     def test_the_booked_energy_is_what_was_gained(self):
         world = ("--scene", "T1", "--balls", 50, "--steps", 200)
