@@ -19,6 +19,8 @@ struct Contact {
   double gap = 0;                      // m; < 0 is overlap
   double inverseMassA = 0;             // 1/kg
   double inverseMassB = 0;             // 1/kg; 0: ground or wall
+  bool acts = false;                   // touches, so that it may push in the substep at hand
+  bool isSolved = false;               // in this substep, together with its island
   bool impact = false;                 // closes faster than forces explain: an instant, not a rest
   double bounceSpeed = 0;              // m/s, separating speed that restitution asks for
   double closingBefore = 0;            // m/s, at the start of the substep

@@ -6,6 +6,11 @@
 namespace wells {
 namespace {
 
+/// m; of the coordinates that a gap is made of.
+double sizeOf(const Arena& arena, const Balls& balls, const Contact& c) {
+  return length(balls.position[c.a]) + length(arena.center) + arena.radius;
+}
+
 // Share of a remaining overlap between balls that one substep pushes out. All of it at once makes a
 // heap hop: each push-out creates the neighbour's overlap. The arena does not give way: all.
 template <class Partner>
@@ -20,23 +25,31 @@ template <>
 constexpr double kDeepest<ArenaPartner> = 0.99;
 
 // Geometry, masses and the bounce, from the state before any impulse of this substep.
+//
+// What rested in the substep before still does, whether or not it touches: two balls that roll on
+// each other part by a little in every flight, and what falls with its support has a gap of +-
+// rounding. It may close the gap within the next substep, and no faster.
 template <class Partner>
-void prepare(const Settings& settings, const Arena& arena, const Vec3* velocityBefore,
+void prepare(const Settings& settings, const Arena& arena, double h, const Vec3* velocityBefore,
              const Balls& balls, Contact& c) {
   Partner::touch(arena, balls, c);
   const bool wasImpact = c.impact;
-  if (c.gap <= 0) {
+  const bool rested = c.normalImpulse > 0 && !wasImpact;
+  c.acts = rested || c.gap <= kClosedGap * sizeOf(arena, balls, c);
+  c.isSolved = false;
+  c.impact = false;
+  if (c.acts) {
     const double closing = closingSpeed<Partner>(balls.velocity.data(), c);
     c.closingBefore = closingSpeed<Partner>(velocityBefore, c);
     c.closingFlown = closing;
     const double builtUp = std::max(0.0, closing - c.closingBefore);
-    c.impact = closing > kRestFactor * builtUp;
-    c.bounceSpeed = c.impact ? settings.elasticity * closing : 0;
+    c.impact = !rested && closing > kRestFactor * builtUp;
+    c.bounceSpeed = c.impact ? settings.elasticity * closing : -std::max(0.0, c.gap) / h;
     c.inverseMassA = 1 / balls.mass[c.a];
     c.inverseMassB = Partner::inverseMass(balls, c);
   }
   // The impulse of an impact says nothing about the next substep's.
-  if (!(c.gap <= 0) || c.impact || wasImpact) {
+  if (!c.acts || c.impact || wasImpact) {
     c.normalImpulse = 0;
     c.tangentImpulse.setZero();
   }
@@ -82,6 +95,15 @@ void solveTangent(double friction, Balls& balls, Contact& c, const Ledger& ledge
   rub<Partner>(balls, c, change, ledger);
 }
 
+template <class Partner>
+void give(const DirectSolver::Impulse& total, Balls& balls, Contact& c, const Ledger& ledger) {
+  pushApart<Partner>(balls, c, total.normal - c.normalImpulse, ledger);
+  rub<Partner>(balls, c, total.tangent - c.tangentImpulse, ledger);
+  c.normalImpulse = total.normal;
+  c.tangentImpulse = total.tangent;
+  c.isSolved = true;
+}
+
 // A contact that rests carried its impulse evenly over the substep: a constant force moves a ball
 // by half of what the full change of velocity would. With it, a resting ball stays where it is and
 // a sliding one brakes exactly. An impact is an instant, and gets none. Where the balls were still
@@ -103,10 +125,33 @@ void shiftByContactForce(double h, Balls& balls, const Contact& c) {
   Partner::shift(balls, c, -shift);
 }
 
+/// Islands that are small enough get all their impulses at once.
+ResolvedCounts solveSmallIslands(double friction, const ContactLists& contacts, Balls& balls,
+                                 ContactWorkspace& workspace, const Ledger& ledger) {
+  ResolvedCounts counts;
+  workspace.islands.find(contacts.balls, contacts.arena, balls.size());
+  for (std::size_t n = 0; n < workspace.islands.count(); ++n) {
+    const auto island = workspace.islands.contacts(n);
+    // One contact alone is solved by one pass.
+    if (island.size() < 2 || island.size() > kMostDirect) continue;
+    if (!workspace.direct.solve(friction, island, balls)) {
+      ++counts.unsolved;
+      continue;
+    }
+    counts.direct += static_cast<std::int64_t>(island.size());
+    for (std::size_t i = 0; i < island.size(); ++i) {
+      const DirectSolver::Impulse& total = workspace.direct.impulses()[i];
+      withPartner(*island[i],
+                  [&]<class Partner>() { give<Partner>(total, balls, *island[i], ledger); });
+    }
+  }
+  return counts;
+}
+
 // Overlap that the balls do not leave by themselves in the next substep.
 template <class Partner>
 void pushOut(const Arena& arena, double h, Balls& balls, Contact& c) {
-  if (!(c.gap <= 0)) return;
+  if (!c.acts) return;
   Partner::touch(arena, balls, c);
   const double leaving = std::max(0.0, -closingSpeed<Partner>(balls.velocity.data(), c)) * h;
   // However fast it leaves, a centre does not stay outside.
@@ -140,9 +185,10 @@ double workOfNormals(const ContactLists& contacts, const Balls& balls) {
 
 }  // namespace
 
-void resolveContacts(const Settings& settings, const Arena& arena, double h,
-                     const ContactLists& contacts, const Vec3* velocityBefore, Balls& balls,
-                     const SubstepBooks* booking) {
+ResolvedCounts resolveContacts(const Settings& settings, const Arena& arena, double h,
+                               const ContactLists& contacts, const Vec3* velocityBefore,
+                               Balls& balls, ContactWorkspace& workspace,
+                               const SubstepBooks* booking) {
   // The order of the impulses would decide what is booked as friction; only their sum is used.
   Books impulses;
   const Ledger ledger = booking ? Ledger{&impulses, arena.center} : Ledger{};
@@ -150,12 +196,14 @@ void resolveContacts(const Settings& settings, const Arena& arena, double h,
     return placementOf(ledger, *booking->field, booking->end, booking->touching, balls);
   };
   forEach(contacts, [&]<class Partner>(Contact& c) {
-    prepare<Partner>(settings, arena, velocityBefore, balls, c);
+    prepare<Partner>(settings, arena, h, velocityBefore, balls, c);
   });
   forEach(contacts, [&]<class Partner>(Contact& c) { warmStart<Partner>(balls, c, ledger); });
+  const ResolvedCounts counts =
+      solveSmallIslands(settings.friction, contacts, balls, workspace, ledger);
   for (int pass = 0; pass < settings.iterations; ++pass)
     forEach(contacts, [&]<class Partner>(Contact& c) {
-      if (!(c.gap <= 0)) return;
+      if (!c.acts || c.isSolved) return;
       solveNormal<Partner>(balls, c, ledger);
       if (settings.friction > 0) solveTangent<Partner>(settings.friction, balls, c, ledger);
     });
@@ -167,7 +215,7 @@ void resolveContacts(const Settings& settings, const Arena& arena, double h,
   forEach(contacts, [&]<class Partner>(Contact& c) { shiftByContactForce<Partner>(h, balls, c); });
   const Placement shifted = booking ? placement() : Placement{};
   forEach(contacts, [&]<class Partner>(Contact& c) { pushOut<Partner>(arena, h, balls, c); });
-  if (!booking) return;
+  if (!booking) return counts;
   const Placement pushed = placement();
   const double both = impulses.contacts + impulses.friction + shifted.potential - solved.potential;
   impulses.contacts = normals;
@@ -176,6 +224,7 @@ void resolveContacts(const Settings& settings, const Arena& arena, double h,
   impulses.pushOut = pushed.potential - shifted.potential + both - normals - impulses.friction;
   impulses.shifts.angular += pushed.angular - solved.angular;
   *booking->books += impulses;
+  return counts;
 }
 
 }  // namespace wells

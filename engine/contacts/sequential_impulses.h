@@ -1,12 +1,15 @@
-// Sequential impulses: all contacts of a substep resolved one after another, a few times over, each
-// impulse accumulated and clamped (Catto, "Iterative Dynamics with Temporal Coherence", GDC 2005;
-// substeps instead of many iterations: Macklin et al., "Small Steps in Physics Simulation", SCA
-// 2019). First order in time through an impact: it is noticed at the end of its substep.
+// The contacts of a substep: small islands solved directly, the others by sequential impulses: one
+// contact after another, a few times over, each impulse accumulated and clamped (Catto, "Iterative
+// Dynamics with Temporal Coherence", GDC 2005; substeps instead of many iterations: Macklin et al.,
+// "Small Steps in Physics Simulation", SCA 2019). First order in time through an impact: it is
+// noticed at the end of its substep.
 #pragma once
 
 #include <span>
 
+#include "contacts/direct_solver.h"
 #include "contacts/ledger.h"
+#include "contacts/touching_islands.h"
 #include "state/settings.h"
 
 namespace wells {
@@ -26,6 +29,17 @@ struct SubstepBooks {
   std::span<const std::uint32_t> touching;  // all balls of the contacts, each once
 };
 
+/// What resolving works with; kept, so that a warm substep takes no memory.
+struct ContactWorkspace {
+  TouchingIslands islands;
+  DirectSolver direct;
+};
+
+struct ResolvedCounts {
+  std::int64_t direct = 0;    // contacts of islands that were solved directly
+  std::int64_t unsolved = 0;  // small islands that the direct solver had to leave as it found them
+};
+
 /// Ends a substep of h seconds: the balls have flown it without regard to each other, and
 /// `velocityBefore` (by ball) is what they had at its start. Changes velocities and spins so that
 /// no contact closes, with
@@ -38,10 +52,14 @@ struct SubstepBooks {
 /// what overlap remains is pushed out. Push-out changes no velocity.
 /// `booking` may be null. Starts from the impulses that `contacts` hold from the substep before
 /// (zero is fine) and leaves the new ones there.
-void resolveContacts(const Settings& settings, const Arena& arena, double h,
-                     const ContactLists& contacts, const Vec3* velocityBefore, Balls& balls,
-                     const SubstepBooks* booking = nullptr);
+ResolvedCounts resolveContacts(const Settings& settings, const Arena& arena, double h,
+                               const ContactLists& contacts, const Vec3* velocityBefore,
+                               Balls& balls, ContactWorkspace& workspace,
+                               const SubstepBooks* booking = nullptr);
 
 inline constexpr double kRestFactor = 2;
+
+/// Islands of up to this many contacts are solved directly.
+inline constexpr std::size_t kMostDirect = 64;
 
 }  // namespace wells

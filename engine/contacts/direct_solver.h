@@ -1,0 +1,81 @@
+// The impulses of one small island of contacts, found together to rounding accuracy: no contact
+// closes, only pressed ones push, friction within Coulomb's circular cone and opposite to what
+// slips.
+//
+// With w the velocities at the contacts after the impulses (w_n along the normal, parting, less
+// what restitution asks for; w_t the slip) and y the impulses,
+//   w_n >= 0,  y_n >= 0,  w_n y_n = 0;   |y_t| <= mu y_n,  y_t = -mu y_n w_t/|w_t| where w_t != 0
+// is the same as (Alart & Curnier, "A mixed formulation for frictional contact problems prone to
+// Newton like solution methods", 1991), for z = y - w,
+//   y_n = max(0, z_n),   y_t = z_t, shortened to mu max(0, z_n) if it is longer.
+// y and w are measured in units in which each impulse changes its own w by 1. The equations are
+// solved by Newton's method, piece by piece smooth, damped by halving. It starts from the impulses
+// of the substep before, which mostly leaves nothing to do. Where it gets stuck, sweeps of block
+// Gauss-Seidel bring it elsewhere.
+//
+// Where forces are not unique (more contacts than the balls need) those nearest to the start are
+// taken: the tiny kRegularisation on the diagonal damps each Newton step, not its end.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "contacts/contact.h"
+
+namespace wells {
+
+class DirectSolver {
+ public:
+  struct Impulse {
+    double normal = 0;            // N s, >= 0
+    Vec3 tangent = Vec3::Zero();  // N s on a
+  };
+
+  /// Finds the impulses of these contacts, whose geometry, masses and bounceSpeed are set. The
+  /// velocities and spins of `balls` already contain the impulses that the contacts hold. Changes
+  /// neither. False: not found in kMostRounds; impulses() are then the nearest.
+  bool solve(double friction, std::span<Contact* const> contacts, const Balls& balls);
+
+  /// By contact of the last solve().
+  std::span<const Impulse> impulses() const { return impulses_; }
+
+  /// How far the last solve() is from a solution: the largest residual over the largest impulse.
+  double residual() const { return error_ / scale_; }
+
+  static constexpr int kMostRounds = 4;
+  static constexpr int kNewtonSteps = 20;  // of a round
+  static constexpr int kSweeps = 50;       // between two rounds
+  static constexpr double kTolerance = 1e-14;
+  static constexpr double kStalled = 1e-11;  // near enough where rounding stops the steps
+  static constexpr double kRegularisation = 1e-10;
+
+ private:
+  /// One unknown: an impulse on a along `push`, which turns both balls about `turn`.
+  struct Row {
+    Vec3 push;
+    Vec3 turn;
+    double scale;  // sqrt(kg): impulse in N s over impulse in the solver's units
+  };
+
+  void setUp(std::span<Contact* const> contacts, const Balls& balls);
+  bool runNewton();
+  void sweep();
+  /// Sets velocity_, residual_ and error_ of impulse_; returns the square sum of the residual.
+  double evaluate();
+  void linearise();
+  void keepImpulses(std::span<Contact* const> contacts);
+
+  std::size_t rowsPerContact_ = 3;  // normal and two tangents; 1 without friction
+  double friction_ = 0;             // in the solver's units
+  double scale_ = 0;
+  double error_ = 0;
+  std::vector<Row> rows_;
+  std::vector<double> coupling_;  // by row and row: what impulse does to velocity
+  std::vector<double> start_, startVelocity_;
+  std::vector<double> impulse_, velocity_, residual_;  // y, w and what is left of the equations
+  std::vector<double> matrix_, step_, before_;
+  std::vector<Impulse> impulses_;
+};
+
+}  // namespace wells
