@@ -46,8 +46,8 @@ class DirectSolver {
   static constexpr int kMostRounds = 4;
   static constexpr int kNewtonSteps = 20;  // of a round
   static constexpr int kSweeps = 50;       // between two rounds
-  static constexpr double kTolerance = 1e-14;
-  static constexpr double kStalled = 1e-11;  // near enough where rounding stops the steps
+  static constexpr double kTolerance = 1e-15;
+  static constexpr double kStalled = 1e-12;  // near enough where rounding stops the steps
   static constexpr double kRegularisation = 1e-10;
 
  private:

@@ -24,6 +24,18 @@ constexpr double kDeepest = std::numeric_limits<double>::infinity();
 template <>
 constexpr double kDeepest<ArenaPartner> = 0.99;
 
+/// The normal half-way through the substep, where a force that lasted acted on the mean: with it,
+/// what rolls over another ball keeps its energy to second order.
+template <class Partner>
+void turnToMiddle(const Arena& arena, double h, const Vec3* velocityBefore, const Balls& balls,
+                  Contact& c) {
+  const Vec3 middle = Partner::across(arena, balls.position.data(), c) -
+                      (h / 4) * (Partner::acrossRate(velocityBefore, c) +
+                                 Partner::acrossRate(balls.velocity.data(), c));
+  const double size = length(middle);
+  if (size > 0) c.normal = middle / size;
+}
+
 // Geometry, masses and the bounce, from the state before any impulse of this substep.
 //
 // What rested in the substep before still does, whether or not it touches: two balls that roll on
@@ -34,16 +46,18 @@ void prepare(const Settings& settings, const Arena& arena, double h, const Vec3*
              const Balls& balls, Contact& c) {
   Partner::touch(arena, balls, c);
   const bool wasImpact = c.impact;
-  const bool rested = c.normalImpulse > 0 && !wasImpact;
-  c.acts = rested || c.gap <= kClosedGap * sizeOf(arena, balls, c);
+  c.rests = c.normalImpulse > 0 && !wasImpact;
+  c.acts = c.rests || c.gap <= kClosedGap * sizeOf(arena, balls, c);
   c.isSolved = false;
   c.impact = false;
   if (c.acts) {
+    if (c.rests) turnToMiddle<Partner>(arena, h, velocityBefore, balls, c);
     const double closing = closingSpeed<Partner>(balls.velocity.data(), c);
-    c.closingBefore = closingSpeed<Partner>(velocityBefore, c);
+    const double speed =
+        length(balls.velocity[c.a]) + length(Partner::velocity(balls.velocity.data(), c));
     c.closingFlown = closing;
-    const double builtUp = std::max(0.0, closing - c.closingBefore);
-    c.impact = !rested && closing > kRestFactor * builtUp;
+    c.builtUp = withoutNoise(closing - closingSpeed<Partner>(velocityBefore, c), speed);
+    c.impact = !c.rests && closing > kRestFactor * std::max(0.0, c.builtUp);
     c.bounceSpeed = c.impact ? settings.elasticity * closing : -std::max(0.0, c.gap) / h;
     c.inverseMassA = 1 / balls.mass[c.a];
     c.inverseMassB = Partner::inverseMass(balls, c);
@@ -106,14 +120,14 @@ void give(const DirectSolver::Impulse& total, Balls& balls, Contact& c, const Le
 
 // A contact that rests carried its impulse evenly over the substep: a constant force moves a ball
 // by half of what the full change of velocity would. With it, a resting ball stays where it is and
-// a sliding one brakes exactly. An impact is an instant, and gets none. Where the balls were still
-// parting at the start of the substep, the force did not act all the time; it is given the share
-// with which the shift raises the potential by no more than the impulse took from the motion:
+// a sliding one brakes exactly. An impact is an instant, and gets none. Where the balls came to
+// rest in this substep, the force did not act all the time; it is given the share with which the
+// shift raises the potential by no more than the impulse took from the motion:
 //   share (closing after flight - closing before) <= closing after flight + closing resolved.
 double shareOfSubstep(const Contact& c, double resolved) {
   if (c.impact || c.normalImpulse == 0) return 0;
-  const double builtUp = c.closingFlown - c.closingBefore;
-  return builtUp > 0 ? std::clamp((c.closingFlown + resolved) / builtUp, 0.0, 1.0) : 1;
+  if (c.rests) return 1;
+  return c.builtUp > 0 ? std::clamp((c.closingFlown + resolved) / c.builtUp, 0.0, 1.0) : 1;
 }
 
 template <class Partner>
@@ -177,7 +191,7 @@ double workOfNormals(const ContactLists& contacts, const Balls& balls) {
     for (const Contact& c : list) {
       if (c.normalImpulse == 0) continue;
       const double resolved = closingSpeed(balls, c);
-      const double shifted = shareOfSubstep(c, resolved) * (c.closingFlown - c.closingBefore);
+      const double shifted = shareOfSubstep(c, resolved) * c.builtUp;
       sum -= c.normalImpulse * (c.closingFlown + resolved - shifted) / 2;
     }
   return sum;
