@@ -36,34 +36,47 @@ void turnToMiddle(const Arena& arena, double h, const Vec3* velocityBefore, cons
   if (size > 0) c.normal = middle / size;
 }
 
+/// m/s along the normal that the forces of the substep gave one of the two balls. The other may be
+/// held, so this is what they can explain of a closing speed.
+template <class Partner>
+double pulledSpeed(const Vec3* velocityBefore, const Balls& balls, const Contact& c) {
+  const Vec3* const velocity = balls.velocity.data();
+  const Vec3 a = velocity[c.a] - velocityBefore[c.a];
+  const Vec3 b = Partner::velocity(velocity, c) - Partner::velocity(velocityBefore, c);
+  return std::max(std::abs(dot(a, c.normal)), std::abs(dot(b, c.normal)));
+}
+
 // Geometry, masses and the bounce, from the state before any impulse of this substep.
 //
-// What rested in the substep before still does, whether or not it touches: two balls that roll on
-// each other part by a little in every flight, and what falls with its support has a gap of +-
-// rounding. It may close the gap within the next substep, and no faster.
+// A contact acts where it touches; where it rested in the substep before, for two balls that roll
+// on each other part a little in every flight; and where it is so close and slow that forces close
+// it within the substep. What has not closed yet may do so within the next substep, and no faster.
 template <class Partner>
 void prepare(const Settings& settings, const Arena& arena, double h, const Vec3* velocityBefore,
              const Balls& balls, Contact& c) {
   Partner::touch(arena, balls, c);
   const bool wasImpact = c.impact;
-  c.rests = c.normalImpulse > 0 && !wasImpact;
-  c.acts = c.rests || c.gap <= kClosedGap * sizeOf(arena, balls, c);
+  c.restedImpulse = wasImpact ? 0 : c.normalImpulse;
+  const bool rested = c.restedImpulse > 0;
+  if (rested) turnToMiddle<Partner>(arena, h, velocityBefore, balls, c);
+  const double closing = closingSpeed<Partner>(balls.velocity.data(), c);
+  const double pulled = pulledSpeed<Partner>(velocityBefore, balls, c);
+  const bool isSlow = closing <= kRestFactor * pulled;
+  c.acts = rested || c.gap <= kClosedGap * sizeOf(arena, balls, c) ||
+           (isSlow && c.gap <= pulled * h / 2);
+  c.impact = c.acts && !rested && !isSlow;
   c.isSolved = false;
-  c.impact = false;
   if (c.acts) {
-    if (c.rests) turnToMiddle<Partner>(arena, h, velocityBefore, balls, c);
-    const double closing = closingSpeed<Partner>(balls.velocity.data(), c);
     const double speed =
         length(balls.velocity[c.a]) + length(Partner::velocity(balls.velocity.data(), c));
     c.closingFlown = closing;
     c.builtUp = withoutNoise(closing - closingSpeed<Partner>(velocityBefore, c), speed);
-    c.impact = !c.rests && closing > kRestFactor * std::max(0.0, c.builtUp);
     c.bounceSpeed = c.impact ? settings.elasticity * closing : -std::max(0.0, c.gap) / h;
     c.inverseMassA = 1 / balls.mass[c.a];
     c.inverseMassB = Partner::inverseMass(balls, c);
   }
   // The impulse of an impact says nothing about the next substep's.
-  if (!c.acts || c.impact || wasImpact) {
+  if (!rested) {
     c.normalImpulse = 0;
     c.tangentImpulse.setZero();
   }
@@ -120,13 +133,14 @@ void give(const DirectSolver::Impulse& total, Balls& balls, Contact& c, const Le
 
 // A contact that rests carried its impulse evenly over the substep: a constant force moves a ball
 // by half of what the full change of velocity would. With it, a resting ball stays where it is and
-// a sliding one brakes exactly. An impact is an instant, and gets none. Where the balls came to
+// a sliding one brakes exactly. An impact is an instant, and gets none; what suddenly exceeds the
+// impulse of the substep before passes on an impact from elsewhere. Where the balls came to
 // rest in this substep, the force did not act all the time; it is given the share with which the
 // shift raises the potential by no more than the impulse took from the motion:
 //   share (closing after flight - closing before) <= closing after flight + closing resolved.
 double shareOfSubstep(const Contact& c, double resolved) {
   if (c.impact || c.normalImpulse == 0) return 0;
-  if (c.rests) return 1;
+  if (c.restedImpulse > 0) return std::min(1.0, kRestFactor * c.restedImpulse / c.normalImpulse);
   return c.builtUp > 0 ? std::clamp((c.closingFlown + resolved) / c.builtUp, 0.0, 1.0) : 1;
 }
 

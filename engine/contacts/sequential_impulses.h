@@ -43,9 +43,9 @@ struct ResolvedCounts {
 /// Ends a substep of h seconds: the balls have flown it without regard to each other, and
 /// `velocityBefore` (by ball) is what they had at its start. Changes velocities and spins so that
 /// no contact closes, with
-///  - restitution: a contact that closes faster than kRestFactor times the speed which forces
-///    built up within the substep bounces with e times its closing speed; a slower one rests. Where
-///    no force acts, every contact bounces;
+///  - restitution: a contact that closes faster than kRestFactor times the speed which forces gave
+///    one of its balls within the substep bounces with e times its closing speed; a slower one
+///    rests, and so does what rested before. Where no force acts, every contact bounces;
 ///  - Coulomb friction with spin: the tangent impulse brings the surfaces to rest if
 ///    mu times the normal impulse suffices, else it has that size;
 /// and positions so that a force of contact acts over the substep as a constant force would, and
