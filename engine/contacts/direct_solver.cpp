@@ -39,10 +39,10 @@ bool DirectSolver::solve(double friction, std::span<Contact* const> contacts, co
   rowsPerContact_ = friction > 0 ? 3 : 1;
   friction_ = friction * std::sqrt(1 + kSpinFactor);
   setUp(contacts, balls);
-  bool isSolved = runNewton();
+  bool isSolved = runNewton(Steps::Damped);
   for (int round = 1; round < kMostRounds && !isSolved; ++round) {
     for (int i = 0; i < kSweeps; ++i) sweep();
-    isSolved = runNewton();
+    isSolved = runNewton(round % 2 == 1 ? Steps::Full : Steps::Damped);
   }
   keepImpulses(contacts);
   return isSolved;
@@ -113,7 +113,7 @@ double DirectSolver::evaluate() {
   return squares;
 }
 
-bool DirectSolver::runNewton() {
+bool DirectSolver::runNewton(Steps steps) {
   double squares = evaluate();
   for (int i = 0; i < kNewtonSteps; ++i) {
     if (error_ <= kTolerance * scale_) return true;
@@ -125,9 +125,9 @@ bool DirectSolver::runNewton() {
     for (int halvings = 0; halvings <= kMostHalvings; ++halvings, part /= 2) {
       for (std::size_t k = 0; k < step_.size(); ++k) impulse_[k] = before_[k] + part * step_[k];
       squares = evaluate();
-      if (squares < squaresBefore) break;
+      if (squares < squaresBefore || steps == Steps::Full) break;
     }
-    if (!(squares < squaresBefore)) {
+    if (!(squares < squaresBefore) && (steps == Steps::Damped || error_ <= kStalled * scale_)) {
       impulse_ = before_;
       evaluate();
       return error_ <= kStalled * scale_;

@@ -43,7 +43,7 @@ class DirectSolver {
   /// How far the last solve() is from a solution: the largest residual over the largest impulse.
   double residual() const { return error_ / scale_; }
 
-  static constexpr int kMostRounds = 4;
+  static constexpr int kMostRounds = 8;
   static constexpr int kNewtonSteps = 20;  // of a round
   static constexpr int kSweeps = 50;       // between two rounds
   static constexpr double kTolerance = 1e-15;
@@ -59,7 +59,8 @@ class DirectSolver {
   };
 
   void setUp(std::span<Contact* const> contacts, const Balls& balls);
-  bool runNewton();
+  enum class Steps : std::uint8_t { Damped, Full };
+  bool runNewton(Steps steps);
   void sweep();
   /// Sets velocity_, residual_ and error_ of impulse_; returns the square sum of the residual.
   double evaluate();
