@@ -43,7 +43,7 @@ class DirectSolver {
   /// How far the last solve() is from a solution: the largest residual over the largest impulse.
   double residual() const { return error_ / scale_; }
 
-  static constexpr int kMostRounds = 8;
+  static constexpr int kMostRounds = 4;
   static constexpr int kNewtonSteps = 20;  // of a round
   static constexpr int kSweeps = 50;       // between two rounds
   static constexpr double kTolerance = 1e-15;

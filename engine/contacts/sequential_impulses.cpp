@@ -24,14 +24,16 @@ constexpr double kDeepest = std::numeric_limits<double>::infinity();
 template <>
 constexpr double kDeepest<ArenaPartner> = 0.99;
 
-/// The normal half-way through the substep, where a force that lasted acted on the mean: with it,
-/// what rolls over another ball keeps its energy to second order.
+// What rested and is further apart than this (of a radius) has been torn apart.
+constexpr double kRestingGap = 0.01;
+
+/// The normal half-way through the substep: there a force that lasted acted on the mean. With it,
+/// what rolls over another ball keeps its energy to second order, and two balls their angular
+/// momentum.
 template <class Partner>
-void turnToMiddle(const Arena& arena, double h, const Vec3* velocityBefore, const Balls& balls,
-                  Contact& c) {
+void turnToMiddle(const Arena& arena, double h, const Balls& balls, Contact& c) {
   const Vec3 middle = Partner::across(arena, balls.position.data(), c) -
-                      (h / 4) * (Partner::acrossRate(velocityBefore, c) +
-                                 Partner::acrossRate(balls.velocity.data(), c));
+                      (h / 2) * Partner::acrossRate(balls.velocity.data(), c);
   const double size = length(middle);
   if (size > 0) c.normal = middle / size;
 }
@@ -46,37 +48,49 @@ double pulledSpeed(const Vec3* velocityBefore, const Balls& balls, const Contact
   return std::max(std::abs(dot(a, c.normal)), std::abs(dot(b, c.normal)));
 }
 
-// Geometry, masses and the bounce, from the state before any impulse of this substep.
-//
-// A contact acts where it touches; where it rested in the substep before, for two balls that roll
-// on each other part a little in every flight; and where it is so close and slow that forces close
-// it within the substep. What has not closed yet may do so within the next substep, and no faster.
+/// Geometry, and whether the contact acts: where it touches; where it rested in the substep before,
+/// for two balls that roll on each other part a little in every flight; and where it is so close
+/// and slow that forces close it within the substep.
+template <class Partner>
+void findTouch(const Arena& arena, double h, const Vec3* velocityBefore, const Balls& balls,
+               Contact& c) {
+  Partner::touch(arena, balls, c);
+  c.isSmall = false;
+  c.isSolved = false;
+  c.restedImpulse = c.impact ? 0 : c.normalImpulse;
+  const double closing = closingSpeed<Partner>(balls.velocity.data(), c);
+  const double pulled = pulledSpeed<Partner>(velocityBefore, balls, c);
+  c.isSlow = closing <= kRestFactor * pulled;
+  c.acts = c.gap <= kClosedGap * sizeOf(arena, balls, c) ||
+           (c.restedImpulse > 0 && c.gap <= kRestingGap * balls.radius[c.a]) ||
+           (c.isSlow && c.gap <= pulled * h / 2);
+}
+
+/// Masses and the bounce, from the state before any impulse of this substep. In large islands,
+/// which are never solved to the end, contacts act only where they touch, and nothing is known to
+/// rest.
 template <class Partner>
 void prepare(const Settings& settings, const Arena& arena, double h, const Vec3* velocityBefore,
              const Balls& balls, Contact& c) {
-  Partner::touch(arena, balls, c);
+  if (!c.isSmall) c.acts = c.gap <= 0;
   const bool wasImpact = c.impact;
-  c.restedImpulse = wasImpact ? 0 : c.normalImpulse;
-  const bool rested = c.restedImpulse > 0;
-  if (rested) turnToMiddle<Partner>(arena, h, velocityBefore, balls, c);
-  const double closing = closingSpeed<Partner>(balls.velocity.data(), c);
-  const double pulled = pulledSpeed<Partner>(velocityBefore, balls, c);
-  const bool isSlow = closing <= kRestFactor * pulled;
-  c.acts = rested || c.gap <= kClosedGap * sizeOf(arena, balls, c) ||
-           (isSlow && c.gap <= pulled * h / 2);
-  c.impact = c.acts && !rested && !isSlow;
-  c.isSolved = false;
+  const bool rested = c.isSmall && c.restedImpulse > 0;
+  c.impact = false;
   if (c.acts) {
+    if (rested) turnToMiddle<Partner>(arena, h, balls, c);
+    const double closing = closingSpeed<Partner>(balls.velocity.data(), c);
     const double speed =
         length(balls.velocity[c.a]) + length(Partner::velocity(balls.velocity.data(), c));
     c.closingFlown = closing;
     c.builtUp = withoutNoise(closing - closingSpeed<Partner>(velocityBefore, c), speed);
+    c.impact = !rested && !c.isSlow;
+    // What has not closed yet may do so within the next substep, and no faster.
     c.bounceSpeed = c.impact ? settings.elasticity * closing : -std::max(0.0, c.gap) / h;
     c.inverseMassA = 1 / balls.mass[c.a];
     c.inverseMassB = Partner::inverseMass(balls, c);
   }
   // The impulse of an impact says nothing about the next substep's.
-  if (!rested) {
+  if (!c.acts || c.impact || wasImpact) {
     c.normalImpulse = 0;
     c.tangentImpulse.setZero();
   }
@@ -134,30 +148,60 @@ void give(const DirectSolver::Impulse& total, Balls& balls, Contact& c, const Le
 // A contact that rests carried its impulse evenly over the substep: a constant force moves a ball
 // by half of what the full change of velocity would. With it, a resting ball stays where it is and
 // a sliding one brakes exactly. An impact is an instant, and gets none; what suddenly exceeds the
-// impulse of the substep before passes on an impact from elsewhere. Where the balls came to
-// rest in this substep, the force did not act all the time; it is given the share with which the
-// shift raises the potential by no more than the impulse took from the motion:
-//   share (closing after flight - closing before) <= closing after flight + closing resolved.
-double shareOfSubstep(const Contact& c, double resolved) {
+// impulse of the substep before passes on an impact from elsewhere. Where the balls came to rest in
+// this substep, the force did not act all the time.
+
+/// Twice the work that the impulse took from the motion along the normal.
+double lossOf(const Contact& c, const Balls& balls) {
+  return c.normalImpulse * (c.closingFlown + closingSpeed(balls, c));
+}
+
+/// A contact gets the share with which the shift raises the potential by no more than the impulse
+/// took from the motion:
+///   share (closing after flight - closing before) <= closing after flight + closing resolved.
+double shareAlone(const Contact& c, const Balls& balls) {
   if (c.impact || c.normalImpulse == 0) return 0;
-  if (c.restedImpulse > 0) return std::min(1.0, kRestFactor * c.restedImpulse / c.normalImpulse);
-  return c.builtUp > 0 ? std::clamp((c.closingFlown + resolved) / c.builtUp, 0.0, 1.0) : 1;
+  if (c.builtUp <= 0) return 1;
+  return std::clamp((c.closingFlown + closingSpeed(balls, c)) / c.builtUp, 0.0, 1.0);
+}
+
+/// What rests in an island that is solved gets the same share of the substep throughout, so that
+/// forces in balance shift nothing. Again the shifts raise no more than the impulses took.
+void shareTogether(std::span<Contact* const> island, const Balls& balls) {
+  double lost = 0;
+  double raised = 0;
+  for (Contact* c : island) {
+    c->share = c->restedImpulse > 0 && c->normalImpulse > 0
+                   ? std::min(1.0, kRestFactor * c->restedImpulse / c->normalImpulse)
+                   : shareAlone(*c, balls);
+    if (c->impact) continue;
+    lost += lossOf(*c, balls);
+    raised += c->normalImpulse * c->share * c->builtUp;
+  }
+  if (raised <= 0) return;
+  const double part = std::clamp(lost / raised, 0.0, 1.0);
+  for (Contact* c : island) c->share *= part;
 }
 
 template <class Partner>
 void shiftByContactForce(double h, Balls& balls, const Contact& c) {
-  const double share = shareOfSubstep(c, closingSpeed<Partner>(balls.velocity.data(), c));
-  if (share == 0) return;
-  const Vec3 shift = (c.tangentImpulse - c.normalImpulse * c.normal) * (share * h / 2);
+  if (c.share == 0) return;
+  const Vec3 shift = (c.tangentImpulse - c.normalImpulse * c.normal) * (c.share * h / 2);
   balls.position[c.a] += c.inverseMassA * shift;
   Partner::shift(balls, c, -shift);
 }
 
+void findSmallIslands(const ContactLists& contacts, std::size_t ballCount,
+                      TouchingIslands& islands) {
+  islands.find(contacts.balls, contacts.arena, ballCount);
+  for (std::size_t n = 0; n < islands.count(); ++n)
+    for (Contact* c : islands.contacts(n)) c->isSmall = islands.contacts(n).size() <= kMostDirect;
+}
+
 /// Islands that are small enough get all their impulses at once.
-ResolvedCounts solveSmallIslands(double friction, const ContactLists& contacts, Balls& balls,
-                                 ContactWorkspace& workspace, const Ledger& ledger) {
+ResolvedCounts solveSmallIslands(double friction, Balls& balls, ContactWorkspace& workspace,
+                                 const Ledger& ledger) {
   ResolvedCounts counts;
-  workspace.islands.find(contacts.balls, contacts.arena, balls.size());
   for (std::size_t n = 0; n < workspace.islands.count(); ++n) {
     const auto island = workspace.islands.contacts(n);
     // One contact alone is solved by one pass.
@@ -172,6 +216,7 @@ ResolvedCounts solveSmallIslands(double friction, const ContactLists& contacts, 
       withPartner(*island[i],
                   [&]<class Partner>() { give<Partner>(total, balls, *island[i], ledger); });
     }
+    shareTogether(island, balls);
   }
   return counts;
 }
@@ -203,10 +248,8 @@ double workOfNormals(const ContactLists& contacts, const Balls& balls) {
   double sum = 0;
   for (const auto& list : {contacts.balls, contacts.arena})
     for (const Contact& c : list) {
-      if (c.normalImpulse == 0) continue;
-      const double resolved = closingSpeed(balls, c);
-      const double shifted = shareOfSubstep(c, resolved) * c.builtUp;
-      sum -= c.normalImpulse * (c.closingFlown + resolved - shifted) / 2;
+      if (c.normalImpulse > 0)
+        sum -= (lossOf(c, balls) - c.normalImpulse * c.share * c.builtUp) / 2;
     }
   return sum;
 }
@@ -224,22 +267,30 @@ ResolvedCounts resolveContacts(const Settings& settings, const Arena& arena, dou
     return placementOf(ledger, *booking->field, booking->end, booking->touching, balls);
   };
   forEach(contacts, [&]<class Partner>(Contact& c) {
+    findTouch<Partner>(arena, h, velocityBefore, balls, c);
+  });
+  findSmallIslands(contacts, balls.size(), workspace.islands);
+  forEach(contacts, [&]<class Partner>(Contact& c) {
     prepare<Partner>(settings, arena, h, velocityBefore, balls, c);
   });
   forEach(contacts, [&]<class Partner>(Contact& c) { warmStart<Partner>(balls, c, ledger); });
-  const ResolvedCounts counts =
-      solveSmallIslands(settings.friction, contacts, balls, workspace, ledger);
+  const ResolvedCounts counts = solveSmallIslands(settings.friction, balls, workspace, ledger);
   for (int pass = 0; pass < settings.iterations; ++pass)
     forEach(contacts, [&]<class Partner>(Contact& c) {
       if (!c.acts || c.isSolved) return;
       solveNormal<Partner>(balls, c, ledger);
       if (settings.friction > 0) solveTangent<Partner>(settings.friction, balls, c, ledger);
     });
+  forEach(contacts, [&]<class Partner>(Contact& c) {
+    if (!c.isSolved) c.share = shareAlone(c, balls);
+  });
   const double normals = booking ? workOfNormals(contacts, balls) : 0;
   const Placement solved = booking ? placement() : Placement{};
-  if (booking)
+  if (booking) {
+    for (const Contact& c : contacts.balls) bookTurnedNormal(ledger, c, balls);
     for (const Contact& c : contacts.arena)
       bookArena(ledger, c, c.tangentImpulse - c.normalImpulse * c.normal, balls);
+  }
   forEach(contacts, [&]<class Partner>(Contact& c) { shiftByContactForce<Partner>(h, balls, c); });
   const Placement shifted = booking ? placement() : Placement{};
   forEach(contacts, [&]<class Partner>(Contact& c) { pushOut<Partner>(arena, h, balls, c); });
