@@ -24,8 +24,9 @@ constexpr double kDeepest = std::numeric_limits<double>::infinity();
 template <>
 constexpr double kDeepest<ArenaPartner> = 0.99;
 
-// What rested and is further apart than this (of a radius) has been torn apart.
-constexpr double kRestingGap = 0.01;
+// What is further apart than this (of a radius) does not touch; and where forces move a ball
+// further within a substep, substeps are too coarse to tell what rests.
+constexpr double kNear = 0.01;
 
 /// The normal half-way through the substep: there a force that lasted acted on the mean. With it,
 /// what rolls over another ball keeps its energy to second order, and two balls their angular
@@ -57,13 +58,15 @@ void findTouch(const Arena& arena, double h, const Vec3* velocityBefore, const B
   Partner::touch(arena, balls, c);
   c.isSmall = false;
   c.isSolved = false;
-  c.restedImpulse = c.impact ? 0 : c.normalImpulse;
   const double closing = closingSpeed<Partner>(balls.velocity.data(), c);
   const double pulled = pulledSpeed<Partner>(velocityBefore, balls, c);
   c.isSlow = closing <= kRestFactor * pulled;
-  c.acts = c.gap <= kClosedGap * sizeOf(arena, balls, c) ||
-           (c.restedImpulse > 0 && c.gap <= kRestingGap * balls.radius[c.a]) ||
-           (c.isSlow && c.gap <= pulled * h / 2);
+  const double near = kNear * balls.radius[c.a];
+  const double fall = pulled * h / 2;
+  c.isCoarse = fall > near;
+  c.restedImpulse = c.impact || c.isCoarse || c.gap > near ? 0 : c.normalImpulse;
+  c.acts = c.gap <= kClosedGap * sizeOf(arena, balls, c) || c.restedImpulse > 0 ||
+           (!c.isCoarse && c.isSlow && c.gap <= fall);
 }
 
 /// Masses and the bounce, from the state before any impulse of this substep. In large islands,
@@ -194,8 +197,13 @@ void shiftByContactForce(double h, Balls& balls, const Contact& c) {
 void findSmallIslands(const ContactLists& contacts, std::size_t ballCount,
                       TouchingIslands& islands) {
   islands.find(contacts.balls, contacts.arena, ballCount);
-  for (std::size_t n = 0; n < islands.count(); ++n)
-    for (Contact* c : islands.contacts(n)) c->isSmall = islands.contacts(n).size() <= kMostDirect;
+  for (std::size_t n = 0; n < islands.count(); ++n) {
+    const auto island = islands.contacts(n);
+    const bool isSmall =
+        island.size() <= kMostDirect &&
+        std::none_of(island.begin(), island.end(), [](const Contact* c) { return c->isCoarse; });
+    for (Contact* c : island) c->isSmall = isSmall;
+  }
 }
 
 /// Islands that are small enough get all their impulses at once.
@@ -205,7 +213,7 @@ ResolvedCounts solveSmallIslands(double friction, Balls& balls, ContactWorkspace
   for (std::size_t n = 0; n < workspace.islands.count(); ++n) {
     const auto island = workspace.islands.contacts(n);
     // One contact alone is solved by one pass.
-    if (island.size() < 2 || island.size() > kMostDirect) continue;
+    if (island.size() < 2 || !island[0]->isSmall) continue;
     if (!workspace.direct.solve(friction, island, balls)) {
       ++counts.unsolved;
       continue;
