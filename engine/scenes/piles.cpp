@@ -30,8 +30,7 @@ World makeSlippingPile(std::size_t, std::uint64_t) {
 World makeColumn(std::size_t balls, std::uint64_t) {
   World world;
   world.settings.elasticity = 0;
-  for (std::size_t k = 0; k < balls; ++k)
-    addUnitBall(world, {0, 0.5 + static_cast<double>(k), 0});
+  for (std::size_t k = 0; k < balls; ++k) addUnitBall(world, {0, 0.5 + static_cast<double>(k), 0});
   return world;
 }
 
@@ -40,6 +39,12 @@ World makeHeavyOnLight(std::size_t, std::uint64_t) {
   addUnitBall(world, {0, 0.5, 0});
   addUnitBall(world, {0, 1.5, 0});
   world.balls.mass[1] = 1e6;
+  return world;
+}
+
+World makeNudgedHeavyOnLight(std::size_t balls, std::uint64_t seed) {
+  World world = makeHeavyOnLight(balls, seed);
+  world.balls.position[1].x() += kNudge;
   return world;
 }
 
