@@ -39,13 +39,34 @@ bool DirectSolver::solve(double friction, std::span<Contact* const> contacts, co
   rowsPerContact_ = friction > 0 ? 3 : 1;
   friction_ = friction * std::sqrt(1 + kSpinFactor);
   setUp(contacts, balls);
-  bool isSolved = runNewton(Steps::Damped);
-  for (int round = 1; round < kMostRounds && !isSolved; ++round) {
-    for (int i = 0; i < kSweeps; ++i) sweep();
-    isSolved = runNewton(round % 2 == 1 ? Steps::Full : Steps::Damped);
-  }
+  const bool isSolved = approach();
   keepImpulses(contacts);
   return isSolved;
+}
+
+// Proximal points: c <- the y that solves the equations for w + proximity (y - c) in place of w.
+bool DirectSolver::approach() {
+  proximity_ = kLeastProximity;
+  stepsLeft_ = kMostSteps;
+  for (int round = 0; stepsLeft_ > 0; ++round) {
+    center_ = impulse_;
+    bool isReached = runNewton(Steps::Damped);
+    if (!isReached && round > 0 && stepsLeft_ > 0) {
+      impulse_ = center_;
+      isReached = runNewton(Steps::Full);
+    }
+    if (!isReached) {
+      impulse_ = center_;
+      proximity_ = round == 0 ? kFirstProximity : std::min(kMostProximity, kFurther * proximity_);
+      continue;
+    }
+    double moved = 0;
+    for (std::size_t i = 0; i < impulse_.size(); ++i)
+      moved = std::max(moved, std::abs(impulse_[i] - center_[i]));
+    if (proximity_ * moved <= kResidual * scale_) return true;
+    proximity_ = std::max(kLeastProximity, proximity_ / kNearer);
+  }
+  return false;
 }
 
 void DirectSolver::setUp(std::span<Contact* const> contacts, const Balls& balls) {
@@ -85,7 +106,7 @@ void DirectSolver::setUp(std::span<Contact* const> contacts, const Balls& balls)
 double DirectSolver::evaluate() {
   const std::size_t n = rows_.size();
   for (std::size_t i = 0; i < n; ++i) {
-    double sum = startVelocity_[i];
+    double sum = startVelocity_[i] + proximity_ * (impulse_[i] - center_[i]);
     for (std::size_t j = 0; j < n; ++j) sum += coupling_[i * n + j] * (impulse_[j] - start_[j]);
     velocity_[i] = sum;
   }
@@ -117,6 +138,7 @@ bool DirectSolver::runNewton(Steps steps) {
   double squares = evaluate();
   for (int i = 0; i < kNewtonSteps; ++i) {
     if (error_ <= kTolerance * scale_) return true;
+    if (stepsLeft_-- == 0) return false;
     linearise();
     if (!solveLinear(matrix_, step_)) return false;
     before_ = impulse_;
@@ -144,7 +166,10 @@ void DirectSolver::linearise() {
   const auto row = [&](std::size_t i) { return matrix_.data() + i * n; };
   const auto coupling = [&](std::size_t i) { return coupling_.data() + i * n; };
   for (std::size_t i = 0; i < n; ++i) step_[i] = -residual_[i];
-  const auto copyRow = [&](std::size_t i) { std::copy_n(coupling(i), n, row(i)); };
+  const auto copyRow = [&](std::size_t i) {
+    std::copy_n(coupling(i), n, row(i));
+    row(i)[i] += proximity_;
+  };
   for (std::size_t i = 0; i < n; i += rowsPerContact_) {
     const double pressed = impulse_[i] - velocity_[i];
     const bool isPressed = pressed > 0;
@@ -174,31 +199,10 @@ void DirectSolver::linearise() {
       for (std::size_t j = 0; j < n; ++j)
         out[j] += along * coupling(i)[j] + across[0] * coupling(i + 1)[j] +
                   across[1] * coupling(i + 2)[j];
-      out[i] -= along;
-      out[i + 1] -= across[0];
-      out[i + 2] -= across[1];
+      out[i] -= along * (1 - proximity_);
+      out[i + 1] -= across[0] * (1 - proximity_);
+      out[i + 2] -= across[1] * (1 - proximity_);
     }
-  }
-  for (std::size_t i = 0; i < n; ++i) row(i)[i] += kRegularisation;
-}
-
-void DirectSolver::sweep() {
-  const std::size_t n = rows_.size();
-  const auto target = [&](std::size_t i) {  // z of that row, everything else as it is
-    double sum = startVelocity_[i];
-    for (std::size_t j = 0; j < n; ++j) sum += coupling_[i * n + j] * (impulse_[j] - start_[j]);
-    return impulse_[i] - sum;
-  };
-  for (std::size_t i = 0; i < n; i += rowsPerContact_) {
-    impulse_[i] = std::max(0.0, target(i));
-    if (rowsPerContact_ == 1) continue;
-    const double first = target(i + 1);
-    const double second = target(i + 2);
-    const double size = std::sqrt(first * first + second * second);
-    const double limit = friction_ * impulse_[i];
-    const double cut = size > limit ? limit / size : 1;
-    impulse_[i + 1] = cut * first;
-    impulse_[i + 2] = cut * second;
   }
 }
 

@@ -9,12 +9,15 @@
 // Newton like solution methods", 1991), for z = y - w,
 //   y_n = max(0, z_n),   y_t = z_t, shortened to mu max(0, z_n) if it is longer.
 // y and w are measured in units in which each impulse changes its own w by 1. The equations are
-// solved by Newton's method, piece by piece smooth, damped by halving. It starts from the impulses
-// of the substep before, which mostly leaves nothing to do. Where it gets stuck, sweeps of block
-// Gauss-Seidel bring it elsewhere.
+// solved by Newton's method, piece by piece smooth. It starts from the impulses of the substep
+// before, which mostly leaves nothing to do.
 //
-// Where forces are not unique (more contacts than the balls need) those nearest to the start are
-// taken: the tiny kRegularisation on the diagonal damps each Newton step, not its end.
+// With more contacts than the balls have freedoms, forces are not unique and Newton's matrix is
+// singular; those nearest to the start are taken, by proximal points: with w + p (y - c) in place
+// of w the solution is unique, and c, set to it again and again, goes to a solution of the
+// equations (Rockafellar, "Monotone operators and the proximal point algorithm", 1976). A tiny p
+// does in one round, mostly; a larger one, made smaller round by round, keeps Newton's steps short
+// where it does not.
 #pragma once
 
 #include <cstddef>
@@ -34,7 +37,8 @@ class DirectSolver {
 
   /// Finds the impulses of these contacts, whose geometry, masses and bounceSpeed are set. The
   /// velocities and spins of `balls` already contain the impulses that the contacts hold. Changes
-  /// neither. False: not found in kMostRounds; impulses() are then the nearest.
+  /// neither. False: not found in
+  /// kMostSteps; impulses() are then of no use.
   bool solve(double friction, std::span<Contact* const> contacts, const Balls& balls);
 
   /// By contact of the last solve().
@@ -43,12 +47,16 @@ class DirectSolver {
   /// How far the last solve() is from a solution: the largest residual over the largest impulse.
   double residual() const { return error_ / scale_; }
 
-  static constexpr int kMostRounds = 4;
-  static constexpr int kNewtonSteps = 20;  // of a round
-  static constexpr int kSweeps = 50;       // between two rounds
+  static constexpr int kMostSteps = 60;    // of Newton's method, in all
+  static constexpr int kNewtonSteps = 15;  // of a round
   static constexpr double kTolerance = 1e-15;
   static constexpr double kStalled = 1e-12;  // near enough where rounding stops the steps
-  static constexpr double kRegularisation = 1e-10;
+  static constexpr double kResidual = 1e-15;
+  static constexpr double kLeastProximity = 1e-10;
+  static constexpr double kFirstProximity = 1e-2;  // where the least did not do
+  static constexpr double kMostProximity = 1;
+  static constexpr double kFurther = 100;
+  static constexpr double kNearer = 10;
 
  private:
   /// One unknown: an impulse on a along `push`, which turns both balls about `turn`.
@@ -59,9 +67,9 @@ class DirectSolver {
   };
 
   void setUp(std::span<Contact* const> contacts, const Balls& balls);
+  bool approach();
   enum class Steps : std::uint8_t { Damped, Full };
   bool runNewton(Steps steps);
-  void sweep();
   /// Sets velocity_, residual_ and error_ of impulse_; returns the square sum of the residual.
   double evaluate();
   void linearise();
@@ -71,9 +79,11 @@ class DirectSolver {
   double friction_ = 0;             // in the solver's units
   double scale_ = 0;
   double error_ = 0;
+  double proximity_ = 0;
+  int stepsLeft_ = 0;
   std::vector<Row> rows_;
   std::vector<double> coupling_;  // by row and row: what impulse does to velocity
-  std::vector<double> start_, startVelocity_;
+  std::vector<double> start_, startVelocity_, center_;
   std::vector<double> impulse_, velocity_, residual_;  // y, w and what is left of the equations
   std::vector<double> matrix_, step_, before_;
   std::vector<Impulse> impulses_;

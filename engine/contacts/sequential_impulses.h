@@ -59,7 +59,10 @@ ResolvedCounts resolveContacts(const Settings& settings, const Arena& arena, dou
 
 inline constexpr double kRestFactor = 2;
 
-/// Islands of up to this many contacts are solved directly.
-inline constexpr std::size_t kMostDirect = 64;
+/// Islands of up to this many contacts are solved directly. In heaps of 10 and 25 balls about a
+/// well 16 were always solved, within 1.1 ms a step at the worst; of 24, all but 37 of some
+/// thousand, within 7 ms; of 32, half were not, at 10 ms a step in the mean. Such heaps have more
+/// contacts than balls have freedoms.
+inline constexpr std::size_t kMostDirect = 24;
 
 }  // namespace wells

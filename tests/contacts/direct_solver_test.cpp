@@ -122,7 +122,6 @@ TEST(DirectSolver, ObeysTheLawsOfContact) {
   Random random(1);
   DirectSolver solver;
   int unsolved = 0;
-  double worst = 0;
   constexpr int kTrials = 20000;
   for (int trial = 0; trial < kTrials; ++trial) {
     Island island = randomIsland(random, 1 + static_cast<std::size_t>(trial % 6), 10);
@@ -132,34 +131,77 @@ TEST(DirectSolver, ObeysTheLawsOfContact) {
       ++unsolved;
       continue;
     }
-    worst = std::max(worst, violation(island, given));
     ASSERT_LE(violation(island, given), 1e-11) << trial;
   }
-  std::printf("worst %.3e unsolved %d of %d\n", worst, unsolved, kTrials);
-  EXPECT_LE(unsolved, kTrials / 100);
+  EXPECT_LE(unsolved, kTrials / 1000);
 }
 
 TEST(DirectSolver, ObeysThemWithLargeMassRatiosAndManyContacts) {
   Random random(2);
   DirectSolver solver;
-  for (const double ratio : {10.0, 1e3, 1e6})
-    for (const std::size_t contacts : {2, 6, 12, 24, 48}) {
-      int unsolved = 0;
-      double worst = 0;
-      const std::size_t trials = 2000 / contacts;
+  for (const double ratio : {1e3, 1e6})
+    for (const std::size_t contacts : {6, 12, 24}) {
+      std::size_t unsolved = 0;
+      const std::size_t trials = 3000 / contacts;
       for (std::size_t trial = 0; trial < trials; ++trial) {
         Island island = randomIsland(random, contacts, ratio);
         bool isSolved = false;
         const auto given = solveAndGive(island, solver, isSolved);
-        if (!isSolved) {
+        if (isSolved)
+          EXPECT_LE(violation(island, given), 1e-10) << ratio << " " << contacts << " " << trial;
+        else
           ++unsolved;
-          continue;
-        }
-        worst = std::max(worst, violation(island, given));
       }
-      std::printf("ratio %.0e contacts %zu: worst %.3e unsolved %d of %zu\n", ratio, contacts,
-                  worst, unsolved, trials);
+      EXPECT_LE(unsolved, 1 + trials / 20) << ratio << " " << contacts;
     }
+}
+
+/// One impulse after the other, a great many times over; `sweeps` left when nothing moves any more.
+std::vector<DirectSolver::Impulse> gaussSeidel(Island& island, int& sweeps) {
+  std::vector<DirectSolver::Impulse> total(island.contacts.size());
+  double largest = 1;
+  for (; sweeps > 0 && largest > 1e-15; --sweeps) {
+    largest = 0;
+    for (std::size_t i = 0; i < total.size(); ++i) {
+      const Contact& c = island.contacts[i];
+      const double normal = std::max(0.0, total[i].normal - normalMass(c) * island.parting(i));
+      island.give(i, {normal - total[i].normal, Vec3::Zero()});
+      Vec3 tangent = total[i].tangent - tangentMass(c) * island.slip(i);
+      const double limit = island.friction * normal;
+      if (length(tangent) > limit) tangent *= limit / length(tangent);
+      island.give(i, {0, tangent - total[i].tangent});
+      largest = std::max({largest, std::abs(normal - total[i].normal) * c.inverseMassA,
+                          length(tangent - total[i].tangent) * c.inverseMassA});
+      total[i] = {normal, tangent};
+    }
+  }
+  return total;
+}
+
+// Where brute force ends, both leave the balls with the same velocities. (Friction allows islands
+// with several solutions; they are rare.)
+TEST(DirectSolver, AgreesWithBruteForce) {
+  Random random(3);
+  DirectSolver solver;
+  int compared = 0;
+  int different = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    Island island = randomIsland(random, 1 + random.below(6), 10);
+    Island twin = island;
+    bool isSolved = false;
+    solveAndGive(island, solver, isSolved);
+    int sweeps = 20000;
+    gaussSeidel(twin, sweeps);
+    if (!isSolved || sweeps == 0) continue;
+    ++compared;
+    double difference = 0;
+    for (std::size_t i = 0; i < island.balls.size(); ++i)
+      difference = std::max(difference, length(island.balls.velocity[i] - twin.balls.velocity[i]));
+    if (difference > 1e-9) ++different;
+  }
+  EXPECT_GE(compared, 1900);
+  EXPECT_LE(different, 10);
+  std::printf("compared %d different %d\n", compared, different);
 }
 
 }  // namespace
