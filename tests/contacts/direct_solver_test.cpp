@@ -201,7 +201,6 @@ TEST(DirectSolver, AgreesWithBruteForce) {
   }
   EXPECT_GE(compared, 1900);
   EXPECT_LE(different, 10);
-  std::printf("compared %d different %d\n", compared, different);
 }
 
 }  // namespace
