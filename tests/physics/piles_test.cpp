@@ -155,7 +155,7 @@ TEST(HeavyOnLight, Stands) {
                       std::abs(forces.at({0, kGround}).normal / ((1e6 + 1) * kWeight) - 1)});
   }
   EXPECT_LE(deepest, 1e-9 * 0.5);
-  EXPECT_LE(worst, 1e-9);
+  EXPECT_LE(worst, 1e-8);  // rounding, times the ratio of the masses
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_LE(std::abs(pile.moved(i).y()), 1e-9);
     EXPECT_EQ(pile.moved(i).x(), 0);
@@ -198,7 +198,9 @@ TEST(EqualBalls, OnASmoothGroundNudgedFallAtTheAnalyticRate) {
     while (pile.world.time() < 1.75 - dt / 2) pile.step();  // until x = 1 mm
     const double error = std::abs(ratioToCosh(pile, kNudge, std::sqrt(2 * 9.81)) - 1);
     EXPECT_LE(error, 2e-4 * (60 * dt) * (60 * dt));
-    if (before > 0) EXPECT_NEAR(before / error, 4, 0.4);
+    if (before > 0) {
+      EXPECT_NEAR(before / error, 4, 0.4);
+    }
     before = error;
   }
 }
