@@ -20,6 +20,7 @@ struct Contact {
   double inverseMassA = 0;             // 1/kg
   double inverseMassB = 0;             // 1/kg; 0: ground or wall
   bool acts = false;                   // touches, so that it may push in the substep at hand
+  bool isPulled = false;               // forces act along the normal
   bool isCoarse = false;               // forces move a ball too far within the substep
   bool isSmall = false;                // its island is small enough to be solved directly
   bool isSolved = false;               // in this substep, together with its island

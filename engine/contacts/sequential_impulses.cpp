@@ -63,6 +63,7 @@ void findTouch(const Arena& arena, double h, const Vec3* velocityBefore, const B
   c.isSlow = closing <= kRestFactor * pulled;
   const double near = kNear * balls.radius[c.a];
   const double fall = pulled * h / 2;
+  c.isPulled = pulled > 0;
   c.isCoarse = fall > near;
   c.restedImpulse = c.impact || c.isCoarse || c.gap > near ? 0 : c.normalImpulse;
   c.acts = c.gap <= kClosedGap * sizeOf(arena, balls, c) || c.restedImpulse > 0 ||
@@ -87,8 +88,11 @@ void prepare(const Settings& settings, const Arena& arena, double h, const Vec3*
     c.closingFlown = closing;
     c.builtUp = withoutNoise(closing - closingSpeed<Partner>(velocityBefore, c), speed);
     c.impact = !rested && !c.isSlow;
-    // What has not closed yet may do so within the next substep, and no faster.
-    c.bounceSpeed = c.impact ? settings.elasticity * closing : -std::max(0.0, c.gap) / h;
+    // What has not closed yet may do so within the next substep, and no faster. A force that lasts
+    // will have lifted it again by half of what its speed built up.
+    const double ahead = rested ? c.gap + std::max(0.0, c.builtUp) * h / 2 : c.gap;
+    const bool isOpen = ahead > kClosedGap * (length(balls.position[c.a]) + balls.radius[c.a]);
+    c.bounceSpeed = c.impact ? settings.elasticity * closing : isOpen ? -ahead / h : 0;
     c.inverseMassA = 1 / balls.mass[c.a];
     c.inverseMassB = Partner::inverseMass(balls, c);
   }
@@ -194,6 +198,7 @@ void shiftByContactForce(double h, Balls& balls, const Contact& c) {
   Partner::shift(balls, c, -shift);
 }
 
+/// Where no force acts nothing lasts, and where substeps are too coarse nothing can be told to.
 void findSmallIslands(const ContactLists& contacts, std::size_t ballCount,
                       TouchingIslands& islands) {
   islands.find(contacts.balls, contacts.arena, ballCount);
@@ -201,7 +206,8 @@ void findSmallIslands(const ContactLists& contacts, std::size_t ballCount,
     const auto island = islands.contacts(n);
     const bool isSmall =
         island.size() <= kMostDirect &&
-        std::none_of(island.begin(), island.end(), [](const Contact* c) { return c->isCoarse; });
+        std::ranges::any_of(island, [](const Contact* c) { return c->isPulled; }) &&
+        std::ranges::none_of(island, [](const Contact* c) { return c->isCoarse; });
     for (Contact* c : island) c->isSmall = isSmall;
   }
 }

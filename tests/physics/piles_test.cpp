@@ -142,6 +142,23 @@ TEST(Column, OfTenCarriesItsWeightAndStaysOnItsAxis) {
   EXPECT_LE(pile.deformation(), 1e-12);
 }
 
+// Dropped with gaps between them, three balls in a column come to rest on each other and on the
+// ground: impacts, bounces that are too short for a substep, rest.
+TEST(Column, ThatIsDroppedComesToRest) {
+  for (const double elasticity : {0.3, 0.8}) {
+    World world = makeColumn(3, 1);
+    world.settings.elasticity = elasticity;
+    for (std::size_t k = 0; k < 3; ++k)
+      world.balls.position[k].y() += 0.1 * (static_cast<double>(k) + 1);
+    Pile pile(world);
+    for (int step = 0; step < 600; ++step) pile.step();
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_NEAR(pile.world.balls.position[k].y(), 0.5 + static_cast<double>(k), 1e-12);
+    EXPECT_LE(measure(pile.world).kineticEnergy, 1e-24);
+    EXPECT_EQ(pile.unsolved, 0);
+  }
+}
+
 TEST(HeavyOnLight, Stands) {
   Pile pile(makeHeavyOnLight(0, 0));
   double deepest = 0;
