@@ -57,14 +57,14 @@ bool DirectSolver::approach() {
     }
     if (!isReached) {
       impulse_ = center_;
-      proximity_ = round == 0 ? kFirstProximity : std::min(kMostProximity, kFurther * proximity_);
+      proximity_ = round == 0 ? kSafeProximity : std::min(kMostProximity, kGrowth * proximity_);
       continue;
     }
     double moved = 0;
     for (std::size_t i = 0; i < impulse_.size(); ++i)
       moved = std::max(moved, std::abs(impulse_[i] - center_[i]));
-    if (proximity_ * moved <= kResidual * scale_) return true;
-    proximity_ = std::max(kLeastProximity, proximity_ / kNearer);
+    if (proximity_ * moved <= kTolerance * scale_) return true;
+    proximity_ = std::max(kLeastProximity, proximity_ / kShrinking);
   }
   return false;
 }
@@ -136,7 +136,7 @@ double DirectSolver::evaluate() {
 
 bool DirectSolver::runNewton(Steps steps) {
   double squares = evaluate();
-  for (int i = 0; i < kNewtonSteps; ++i) {
+  for (int i = 0; i < kMostInRound; ++i) {
     if (error_ <= kTolerance * scale_) return true;
     if (stepsLeft_-- == 0) return false;
     linearise();

@@ -21,6 +21,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -37,26 +38,26 @@ class DirectSolver {
 
   /// Finds the impulses of these contacts, whose geometry, masses and bounceSpeed are set. The
   /// velocities and spins of `balls` already contain the impulses that the contacts hold. Changes
-  /// neither. False: not found in
-  /// kMostSteps; impulses() are then of no use.
+  /// neither. False: not found in kMostSteps; impulses() are then of no use.
   bool solve(double friction, std::span<Contact* const> contacts, const Balls& balls);
 
   /// By contact of the last solve().
   std::span<const Impulse> impulses() const { return impulses_; }
 
-  /// How far the last solve() is from a solution: the largest residual over the largest impulse.
-  double residual() const { return error_ / scale_; }
+  static constexpr int kMostSteps = 60;  // of Newton's method, in all rounds
+  static constexpr int kMostInRound = 15;
 
-  static constexpr int kMostSteps = 60;    // of Newton's method, in all
-  static constexpr int kNewtonSteps = 15;  // of a round
+  // Residuals, in parts of the largest impulse.
   static constexpr double kTolerance = 1e-15;
   static constexpr double kStalled = 1e-12;  // near enough where rounding stops the steps
-  static constexpr double kResidual = 1e-15;
+
+  // p of the first round; of the second, where the first did not do; and by how much it grows after
+  // a round that fails and shrinks after one that does not.
   static constexpr double kLeastProximity = 1e-10;
-  static constexpr double kFirstProximity = 1e-2;  // where the least did not do
+  static constexpr double kSafeProximity = 1e-2;
   static constexpr double kMostProximity = 1;
-  static constexpr double kFurther = 100;
-  static constexpr double kNearer = 10;
+  static constexpr double kGrowth = 100;
+  static constexpr double kShrinking = 10;
 
  private:
   /// One unknown: an impulse on a along `push`, which turns both balls about `turn`.
@@ -68,7 +69,9 @@ class DirectSolver {
 
   void setUp(std::span<Contact* const> contacts, const Balls& balls);
   bool approach();
+  /// Full steps may go uphill, and out of where damped ones get stuck.
   enum class Steps : std::uint8_t { Damped, Full };
+  /// One round. False: it got stuck.
   bool runNewton(Steps steps);
   /// Sets velocity_, residual_ and error_ of impulse_; returns the square sum of the residual.
   double evaluate();
