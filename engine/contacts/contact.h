@@ -19,10 +19,18 @@ struct Contact {
   double gap = 0;                      // m; < 0 is overlap
   double inverseMassA = 0;             // 1/kg
   double inverseMassB = 0;             // 1/kg; 0: ground or wall
+  bool acts = false;                   // touches, so that it may push in the substep at hand
+  bool isPulled = false;               // forces act along the normal
+  bool isCoarse = false;               // forces move a ball too far within the substep
+  bool isSmall = false;                // its island is small enough to be solved directly
+  bool isSolved = false;               // in this substep, together with its island
+  bool isSlow = false;                 // closes no faster than forces explain
   bool impact = false;                 // closes faster than forces explain: an instant, not a rest
   double bounceSpeed = 0;              // m/s, separating speed that restitution asks for
-  double closingBefore = 0;            // m/s, at the start of the substep
-  double closingFlown = 0;             // m/s, at its end, before any impulse
+  double builtUp = 0;                  // m/s, by which forces made it close in the substep
+  double closingFlown = 0;             // m/s, at the end of the substep, before any impulse
+  double restedImpulse = 0;            // N s, normal, of the substep before; 0: did not rest in it
+  double share = 0;                    // 0 .. 1, of the substep, in which its force acted
   double normalImpulse = 0;            // N s, >= 0, of the last substep
   Vec3 tangentImpulse = Vec3::Zero();  // N s on a, of the last substep
 };

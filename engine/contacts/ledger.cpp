@@ -93,6 +93,13 @@ void bookStretch(const Ledger& ledger, const PathModel& model, const Path& path,
 
 }  // namespace
 
+void bookTurnedNormal(const Ledger& ledger, const Contact& c, const Balls& balls) {
+  if (c.normalImpulse == 0) return;
+  const Vec3 d = balls.position[c.b] - balls.position[c.a];
+  const Vec3 impulse = c.tangentImpulse - c.normalImpulse * c.normal;
+  ledger.books->shifts.angular += cross(length(d) * c.normal - d, impulse);
+}
+
 void bookArena(const Ledger& ledger, const Contact& c, const Vec3& impulse, const Balls& balls) {
   ImpulseBook& book = bookOf(*ledger.books, c.b);
   const Vec3 place = balls.position[c.a] + balls.radius[c.a] * c.normal;

@@ -33,6 +33,10 @@ inline void bookTangent(const Ledger& ledger, const Contact& c, const Vec3& impu
   if (isBall(c.b)) ledger.books->shifts.angular -= c.gap * cross(c.normal, impulse);
 }
 
+/// The impulses of a contact between balls acted along a normal that is not their line of centres,
+/// or across it.
+void bookTurnedNormal(const Ledger& ledger, const Contact& c, const Balls& balls);
+
 /// Ground or wall gave ball c.a the impulse (N s).
 void bookArena(const Ledger& ledger, const Contact& c, const Vec3& impulse, const Balls& balls);
 

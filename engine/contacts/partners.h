@@ -9,12 +9,19 @@ namespace wells {
 // Angular velocity times radius that a tangent impulse of 1 N s gives a ball of 1 kg: r^2 m / I.
 inline constexpr double kSpinFactor = 1 / kInertiaFactor;
 
+// across() is the vector (m) in whose direction the normal lies, acrossRate() how it changes (m/s).
 struct BallPartner {
   static void touch(const Arena&, const Balls& balls, Contact& c) { touchBalls(balls, c); }
   static double inverseMass(const Balls& balls, const Contact& c) { return 1 / balls.mass[c.b]; }
   static Vec3 velocity(const Vec3* velocities, const Contact& c) { return velocities[c.b]; }
   static Vec3 surfaceSpin(const Balls& balls, const Contact& c) {
     return balls.radius[c.b] * balls.spin[c.b];
+  }
+  static Vec3 across(const Arena&, const Vec3* positions, const Contact& c) {
+    return positions[c.b] - positions[c.a];
+  }
+  static Vec3 acrossRate(const Vec3* velocities, const Contact& c) {
+    return velocities[c.b] - velocities[c.a];
   }
   static void push(Balls& balls, const Contact& c, const Vec3& impulse) {
     balls.velocity[c.b] += c.inverseMassB * impulse;
@@ -34,6 +41,14 @@ struct ArenaPartner {
   static double inverseMass(const Balls&, const Contact&) { return 0; }
   static Vec3 velocity(const Vec3*, const Contact&) { return Vec3::Zero(); }
   static Vec3 surfaceSpin(const Balls&, const Contact&) { return Vec3::Zero(); }
+  static Vec3 across(const Arena& arena, const Vec3* positions, const Contact& c) {
+    const Vec3 d = positions[c.a] - arena.center;
+    return c.b == kGround ? Vec3(0, -1, 0) : Vec3(d.x(), 0, d.z());
+  }
+  static Vec3 acrossRate(const Vec3* velocities, const Contact& c) {
+    const Vec3& v = velocities[c.a];
+    return c.b == kGround ? Vec3(0, 0, 0) : Vec3(v.x(), 0, v.z());
+  }
   static void push(Balls&, const Contact&, const Vec3&) {}
   static void twist(Balls&, const Contact&, const Vec3&) {}
   static void shift(Balls&, const Contact&, const Vec3&) {}

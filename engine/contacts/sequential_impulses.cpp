@@ -6,6 +6,11 @@
 namespace wells {
 namespace {
 
+/// m; of the coordinates that a gap is made of.
+double sizeOf(const Arena& arena, const Balls& balls, const Contact& c) {
+  return length(balls.position[c.a]) + length(arena.center) + arena.radius;
+}
+
 // Share of a remaining overlap between balls that one substep pushes out. All of it at once makes a
 // heap hop: each push-out creates the neighbour's overlap. The arena does not give way: all.
 template <class Partner>
@@ -19,24 +24,80 @@ constexpr double kDeepest = std::numeric_limits<double>::infinity();
 template <>
 constexpr double kDeepest<ArenaPartner> = 0.99;
 
-// Geometry, masses and the bounce, from the state before any impulse of this substep.
+// What is further apart than this (of a radius) does not touch; and where forces move a ball
+// further within a substep, substeps are too coarse to tell what rests.
+constexpr double kNear = 0.01;
+
+/// The normal half-way through the substep: there a force that lasted acted on the mean. With it,
+/// what rolls over another ball keeps its energy to second order, and two balls their angular
+/// momentum.
 template <class Partner>
-void prepare(const Settings& settings, const Arena& arena, const Vec3* velocityBefore,
-             const Balls& balls, Contact& c) {
+void turnToMiddle(const Arena& arena, double h, const Balls& balls, Contact& c) {
+  const Vec3 middle = Partner::across(arena, balls.position.data(), c) -
+                      (h / 2) * Partner::acrossRate(balls.velocity.data(), c);
+  const double size = length(middle);
+  if (size > 0) c.normal = middle / size;
+}
+
+/// m/s along the normal that the forces of the substep gave one of the two balls. The other may be
+/// held, so this is what they can explain of a closing speed.
+template <class Partner>
+double pulledSpeed(const Vec3* velocityBefore, const Balls& balls, const Contact& c) {
+  const Vec3* const velocity = balls.velocity.data();
+  const Vec3 a = velocity[c.a] - velocityBefore[c.a];
+  const Vec3 b = Partner::velocity(velocity, c) - Partner::velocity(velocityBefore, c);
+  return std::max(std::abs(dot(a, c.normal)), std::abs(dot(b, c.normal)));
+}
+
+/// Geometry, and whether the contact acts: where it touches; where it rested in the substep before,
+/// for two balls that roll on each other part a little in every flight; and where it is so close
+/// and slow that forces close it within the substep.
+template <class Partner>
+void findTouch(const Arena& arena, double h, const Vec3* velocityBefore, const Balls& balls,
+               Contact& c) {
   Partner::touch(arena, balls, c);
+  c.isSmall = false;
+  c.isSolved = false;
+  const double closing = closingSpeed<Partner>(balls.velocity.data(), c);
+  const double pulled = pulledSpeed<Partner>(velocityBefore, balls, c);
+  c.isSlow = closing <= kRestFactor * pulled;
+  const double near = kNear * balls.radius[c.a];
+  const double fall = pulled * h / 2;
+  c.isPulled = pulled > 0;
+  c.isCoarse = fall > near;
+  c.restedImpulse = c.impact || c.isCoarse || c.gap > near ? 0 : c.normalImpulse;
+  c.acts = c.gap <= kClosedGap * sizeOf(arena, balls, c) || c.restedImpulse > 0 ||
+           (!c.isCoarse && c.isSlow && c.gap <= fall);
+}
+
+/// Masses and the bounce, from the state before any impulse of this substep. In large islands,
+/// which are never solved to the end, contacts act only where they touch, and nothing is known to
+/// rest.
+template <class Partner>
+void prepare(const Settings& settings, const Arena& arena, double h, const Vec3* velocityBefore,
+             const Balls& balls, Contact& c) {
+  if (!c.isSmall) c.acts = c.gap <= 0;
   const bool wasImpact = c.impact;
-  if (c.gap <= 0) {
+  const bool rested = c.isSmall && c.restedImpulse > 0;
+  c.impact = false;
+  if (c.acts) {
+    if (rested) turnToMiddle<Partner>(arena, h, balls, c);
     const double closing = closingSpeed<Partner>(balls.velocity.data(), c);
-    c.closingBefore = closingSpeed<Partner>(velocityBefore, c);
+    const double speed =
+        length(balls.velocity[c.a]) + length(Partner::velocity(balls.velocity.data(), c));
     c.closingFlown = closing;
-    const double builtUp = std::max(0.0, closing - c.closingBefore);
-    c.impact = closing > kRestFactor * builtUp;
-    c.bounceSpeed = c.impact ? settings.elasticity * closing : 0;
+    c.builtUp = withoutNoise(closing - closingSpeed<Partner>(velocityBefore, c), speed);
+    c.impact = !rested && !c.isSlow;
+    // What has not closed yet may do so within the next substep, and no faster. A force that lasts
+    // will have lifted it again by half of what its speed built up.
+    const double ahead = rested ? c.gap + std::max(0.0, c.builtUp) * h / 2 : c.gap;
+    const bool isOpen = ahead > kClosedGap * (length(balls.position[c.a]) + balls.radius[c.a]);
+    c.bounceSpeed = c.impact ? settings.elasticity * closing : isOpen ? -ahead / h : 0;
     c.inverseMassA = 1 / balls.mass[c.a];
     c.inverseMassB = Partner::inverseMass(balls, c);
   }
   // The impulse of an impact says nothing about the next substep's.
-  if (!(c.gap <= 0) || c.impact || wasImpact) {
+  if (!c.acts || c.impact || wasImpact) {
     c.normalImpulse = 0;
     c.tangentImpulse.setZero();
   }
@@ -82,31 +143,102 @@ void solveTangent(double friction, Balls& balls, Contact& c, const Ledger& ledge
   rub<Partner>(balls, c, change, ledger);
 }
 
+template <class Partner>
+void give(const DirectSolver::Impulse& total, Balls& balls, Contact& c, const Ledger& ledger) {
+  pushApart<Partner>(balls, c, total.normal - c.normalImpulse, ledger);
+  rub<Partner>(balls, c, total.tangent - c.tangentImpulse, ledger);
+  c.normalImpulse = total.normal;
+  c.tangentImpulse = total.tangent;
+  c.isSolved = true;
+}
+
 // A contact that rests carried its impulse evenly over the substep: a constant force moves a ball
 // by half of what the full change of velocity would. With it, a resting ball stays where it is and
-// a sliding one brakes exactly. An impact is an instant, and gets none. Where the balls were still
-// parting at the start of the substep, the force did not act all the time; it is given the share
-// with which the shift raises the potential by no more than the impulse took from the motion:
-//   share (closing after flight - closing before) <= closing after flight + closing resolved.
-double shareOfSubstep(const Contact& c, double resolved) {
+// a sliding one brakes exactly. An impact is an instant, and gets none; what suddenly exceeds the
+// impulse of the substep before passes on an impact from elsewhere. Where the balls came to rest in
+// this substep, the force did not act all the time.
+
+/// Twice the work that the impulse took from the motion along the normal.
+double lossOf(const Contact& c, const Balls& balls) {
+  return c.normalImpulse * (c.closingFlown + closingSpeed(balls, c));
+}
+
+/// A contact gets the share with which the shift raises the potential by no more than the impulse
+/// took from the motion:
+///   share (closing after flight - closing before) <= closing after flight + closing resolved.
+double shareAlone(const Contact& c, const Balls& balls) {
   if (c.impact || c.normalImpulse == 0) return 0;
-  const double builtUp = c.closingFlown - c.closingBefore;
-  return builtUp > 0 ? std::clamp((c.closingFlown + resolved) / builtUp, 0.0, 1.0) : 1;
+  if (c.builtUp <= 0) return 1;
+  return std::clamp((c.closingFlown + closingSpeed(balls, c)) / c.builtUp, 0.0, 1.0);
+}
+
+/// What rests in an island that is solved gets the same share of the substep throughout, so that
+/// forces in balance shift nothing. Again the shifts raise no more than the impulses took.
+void shareTogether(std::span<Contact* const> island, const Balls& balls) {
+  double lost = 0;
+  double raised = 0;
+  for (Contact* c : island) {
+    c->share = c->restedImpulse > 0 && c->normalImpulse > 0
+                   ? std::min(1.0, kRestFactor * c->restedImpulse / c->normalImpulse)
+                   : shareAlone(*c, balls);
+    if (c->impact) continue;
+    lost += lossOf(*c, balls);
+    raised += c->normalImpulse * c->share * c->builtUp;
+  }
+  if (raised <= 0) return;
+  const double part = std::clamp(lost / raised, 0.0, 1.0);
+  for (Contact* c : island) c->share *= part;
 }
 
 template <class Partner>
 void shiftByContactForce(double h, Balls& balls, const Contact& c) {
-  const double share = shareOfSubstep(c, closingSpeed<Partner>(balls.velocity.data(), c));
-  if (share == 0) return;
-  const Vec3 shift = (c.tangentImpulse - c.normalImpulse * c.normal) * (share * h / 2);
+  if (c.share == 0) return;
+  const Vec3 shift = (c.tangentImpulse - c.normalImpulse * c.normal) * (c.share * h / 2);
   balls.position[c.a] += c.inverseMassA * shift;
   Partner::shift(balls, c, -shift);
+}
+
+/// Where no force acts nothing lasts, and where substeps are too coarse nothing can be told to.
+void findSmallIslands(const ContactLists& contacts, std::size_t ballCount,
+                      TouchingIslands& islands) {
+  islands.find(contacts.balls, contacts.arena, ballCount);
+  for (std::size_t n = 0; n < islands.count(); ++n) {
+    const auto island = islands.contacts(n);
+    const bool isSmall =
+        island.size() <= kMostDirect &&
+        std::ranges::any_of(island, [](const Contact* c) { return c->isPulled; }) &&
+        std::ranges::none_of(island, [](const Contact* c) { return c->isCoarse; });
+    for (Contact* c : island) c->isSmall = isSmall;
+  }
+}
+
+/// Islands that are small enough get all their impulses at once.
+ResolvedCounts solveSmallIslands(double friction, Balls& balls, ContactWorkspace& workspace,
+                                 const Ledger& ledger) {
+  ResolvedCounts counts;
+  for (std::size_t n = 0; n < workspace.islands.count(); ++n) {
+    const auto island = workspace.islands.contacts(n);
+    // One contact alone is solved by one pass.
+    if (island.size() < 2 || !island[0]->isSmall) continue;
+    if (!workspace.direct.solve(friction, island, balls)) {
+      ++counts.unsolved;
+      continue;
+    }
+    counts.direct += static_cast<std::int64_t>(island.size());
+    for (std::size_t i = 0; i < island.size(); ++i) {
+      const DirectSolver::Impulse& total = workspace.direct.impulses()[i];
+      withPartner(*island[i],
+                  [&]<class Partner>() { give<Partner>(total, balls, *island[i], ledger); });
+    }
+    shareTogether(island, balls);
+  }
+  return counts;
 }
 
 // Overlap that the balls do not leave by themselves in the next substep.
 template <class Partner>
 void pushOut(const Arena& arena, double h, Balls& balls, Contact& c) {
-  if (!(c.gap <= 0)) return;
+  if (!c.acts) return;
   Partner::touch(arena, balls, c);
   const double leaving = std::max(0.0, -closingSpeed<Partner>(balls.velocity.data(), c)) * h;
   // However fast it leaves, a centre does not stay outside.
@@ -130,19 +262,18 @@ double workOfNormals(const ContactLists& contacts, const Balls& balls) {
   double sum = 0;
   for (const auto& list : {contacts.balls, contacts.arena})
     for (const Contact& c : list) {
-      if (c.normalImpulse == 0) continue;
-      const double resolved = closingSpeed(balls, c);
-      const double shifted = shareOfSubstep(c, resolved) * (c.closingFlown - c.closingBefore);
-      sum -= c.normalImpulse * (c.closingFlown + resolved - shifted) / 2;
+      if (c.normalImpulse > 0)
+        sum -= (lossOf(c, balls) - c.normalImpulse * c.share * c.builtUp) / 2;
     }
   return sum;
 }
 
 }  // namespace
 
-void resolveContacts(const Settings& settings, const Arena& arena, double h,
-                     const ContactLists& contacts, const Vec3* velocityBefore, Balls& balls,
-                     const SubstepBooks* booking) {
+ResolvedCounts resolveContacts(const Settings& settings, const Arena& arena, double h,
+                               const ContactLists& contacts, const Vec3* velocityBefore,
+                               Balls& balls, ContactWorkspace& workspace,
+                               const SubstepBooks* booking) {
   // The order of the impulses would decide what is booked as friction; only their sum is used.
   Books impulses;
   const Ledger ledger = booking ? Ledger{&impulses, arena.center} : Ledger{};
@@ -150,24 +281,34 @@ void resolveContacts(const Settings& settings, const Arena& arena, double h,
     return placementOf(ledger, *booking->field, booking->end, booking->touching, balls);
   };
   forEach(contacts, [&]<class Partner>(Contact& c) {
-    prepare<Partner>(settings, arena, velocityBefore, balls, c);
+    findTouch<Partner>(arena, h, velocityBefore, balls, c);
+  });
+  findSmallIslands(contacts, balls.size(), workspace.islands);
+  forEach(contacts, [&]<class Partner>(Contact& c) {
+    prepare<Partner>(settings, arena, h, velocityBefore, balls, c);
   });
   forEach(contacts, [&]<class Partner>(Contact& c) { warmStart<Partner>(balls, c, ledger); });
+  const ResolvedCounts counts = solveSmallIslands(settings.friction, balls, workspace, ledger);
   for (int pass = 0; pass < settings.iterations; ++pass)
     forEach(contacts, [&]<class Partner>(Contact& c) {
-      if (!(c.gap <= 0)) return;
+      if (!c.acts || c.isSolved) return;
       solveNormal<Partner>(balls, c, ledger);
       if (settings.friction > 0) solveTangent<Partner>(settings.friction, balls, c, ledger);
     });
+  forEach(contacts, [&]<class Partner>(Contact& c) {
+    if (!c.isSolved) c.share = shareAlone(c, balls);
+  });
   const double normals = booking ? workOfNormals(contacts, balls) : 0;
   const Placement solved = booking ? placement() : Placement{};
-  if (booking)
+  if (booking) {
+    for (const Contact& c : contacts.balls) bookTurnedNormal(ledger, c, balls);
     for (const Contact& c : contacts.arena)
       bookArena(ledger, c, c.tangentImpulse - c.normalImpulse * c.normal, balls);
+  }
   forEach(contacts, [&]<class Partner>(Contact& c) { shiftByContactForce<Partner>(h, balls, c); });
   const Placement shifted = booking ? placement() : Placement{};
   forEach(contacts, [&]<class Partner>(Contact& c) { pushOut<Partner>(arena, h, balls, c); });
-  if (!booking) return;
+  if (!booking) return counts;
   const Placement pushed = placement();
   const double both = impulses.contacts + impulses.friction + shifted.potential - solved.potential;
   impulses.contacts = normals;
@@ -176,6 +317,7 @@ void resolveContacts(const Settings& settings, const Arena& arena, double h,
   impulses.pushOut = pushed.potential - shifted.potential + both - normals - impulses.friction;
   impulses.shifts.angular += pushed.angular - solved.angular;
   *booking->books += impulses;
+  return counts;
 }
 
 }  // namespace wells

@@ -1,12 +1,15 @@
-// Sequential impulses: all contacts of a substep resolved one after another, a few times over, each
-// impulse accumulated and clamped (Catto, "Iterative Dynamics with Temporal Coherence", GDC 2005;
-// substeps instead of many iterations: Macklin et al., "Small Steps in Physics Simulation", SCA
-// 2019). First order in time through an impact: it is noticed at the end of its substep.
+// The contacts of a substep: small islands solved directly, the others by sequential impulses: one
+// contact after another, a few times over, each impulse accumulated and clamped (Catto, "Iterative
+// Dynamics with Temporal Coherence", GDC 2005; substeps instead of many iterations: Macklin et al.,
+// "Small Steps in Physics Simulation", SCA 2019). First order in time through an impact: it is
+// noticed at the end of its substep.
 #pragma once
 
 #include <span>
 
+#include "contacts/direct_solver.h"
 #include "contacts/ledger.h"
+#include "contacts/touching_islands.h"
 #include "state/settings.h"
 
 namespace wells {
@@ -26,22 +29,40 @@ struct SubstepBooks {
   std::span<const std::uint32_t> touching;  // all balls of the contacts, each once
 };
 
+/// What resolving works with; kept, so that a warm substep takes no memory.
+struct ContactWorkspace {
+  TouchingIslands islands;
+  DirectSolver direct;
+};
+
+struct ResolvedCounts {
+  std::int64_t direct = 0;    // contacts of islands that were solved directly
+  std::int64_t unsolved = 0;  // small islands that the direct solver had to leave as it found them
+};
+
 /// Ends a substep of h seconds: the balls have flown it without regard to each other, and
 /// `velocityBefore` (by ball) is what they had at its start. Changes velocities and spins so that
 /// no contact closes, with
-///  - restitution: a contact that closes faster than kRestFactor times the speed which forces
-///    built up within the substep bounces with e times its closing speed; a slower one rests. Where
-///    no force acts, every contact bounces;
+///  - restitution: a contact that closes faster than kRestFactor times the speed which forces gave
+///    one of its balls within the substep bounces with e times its closing speed; a slower one
+///    rests, and so does what rested before. Where no force acts, every contact bounces;
 ///  - Coulomb friction with spin: the tangent impulse brings the surfaces to rest if
 ///    mu times the normal impulse suffices, else it has that size;
 /// and positions so that a force of contact acts over the substep as a constant force would, and
 /// what overlap remains is pushed out. Push-out changes no velocity.
 /// `booking` may be null. Starts from the impulses that `contacts` hold from the substep before
 /// (zero is fine) and leaves the new ones there.
-void resolveContacts(const Settings& settings, const Arena& arena, double h,
-                     const ContactLists& contacts, const Vec3* velocityBefore, Balls& balls,
-                     const SubstepBooks* booking = nullptr);
+ResolvedCounts resolveContacts(const Settings& settings, const Arena& arena, double h,
+                               const ContactLists& contacts, const Vec3* velocityBefore,
+                               Balls& balls, ContactWorkspace& workspace,
+                               const SubstepBooks* booking = nullptr);
 
 inline constexpr double kRestFactor = 2;
+
+/// Islands of up to this many contacts are solved directly. In heaps of 10 and 25 balls about a
+/// well 16 were always solved, within 1.1 ms a step at the worst; of 24, all but 37 of some
+/// thousand, within 7 ms; of 32, half were not, at 10 ms a step in the mean. Such heaps have more
+/// contacts than balls have freedoms.
+inline constexpr std::size_t kMostDirect = 24;
 
 }  // namespace wells

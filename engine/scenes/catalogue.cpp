@@ -10,6 +10,7 @@
 #include "scenes/flat_gas.h"
 #include "scenes/ground_scenes.h"
 #include "scenes/impact_scenes.h"
+#include "scenes/piles.h"
 #include "scenes/sim_benchmark.h"
 #include "scenes/wall_scenes.h"
 #include "scenes/well_scenes.h"
@@ -60,6 +61,14 @@ constexpr Scene kScenes[] = {
      false, makeCollapse},
     {"collapse-twin", "the same with a little less loss: ten hits", 3, 3, 600, false,
      makeCollapseTwin},
+    {"pile-stands", "a ball on three others, whose friction just holds them", 4, 4, 600, false,
+     makeStandingPile},
+    {"pile-slips", "the same with a little less friction: it falls", 4, 4, 60, false,
+     makeSlippingPile},
+    {"column", "ten balls exactly above each other", 10, 10, 600, false, makeColumn},
+    {"heavy-on-light", "1000 t stand exactly above 1 kg", 2, 2, 600, false, makeHeavyOnLight},
+    {"heavy-falls", "the same, nudged by a micrometre: it falls within 5 s", 2, 2, 240, false,
+     makeNudgedHeavyOnLight},
     {"orbit", "a ball orbits a softened well in free space", 1, 1, 1200, false, makeOrbit},
     {"orbit-short", "the same, not yet once round", 1, 1, 120, false, makeOrbit},
     {"circular-orbit", "a ball circles a softened well", 1, 1, 1200, false, makeCircularOrbit},

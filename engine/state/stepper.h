@@ -20,11 +20,14 @@ struct StepCounts {
   std::int64_t latePairs = 0;       // overlaps that the broadphase had not announced; must be 0
 
   // Which method moved the balls that could touch something.
-  std::int64_t exactBalls = 0;       // exact impacts, rolling and sliding
-  std::int64_t substepBalls = 0;     // sequential impulses over substeps
-  std::int64_t impacts = 0;          // impulses at their own time within the step
-  std::int64_t clusters = 0;         // instants at which several impacts hung together
-  std::int64_t handedOver = 0;       // islands that began as exact and were left to the substeps
+  std::int64_t exactBalls = 0;      // exact impacts, rolling and sliding
+  std::int64_t substepBalls = 0;    // sequential impulses over substeps
+  std::int64_t directContacts = 0;  // of those, in islands solved directly; once for each substep
+  std::int64_t unsolvedIslands =
+      0;                        // small ones that the direct solver left to the passes, likewise
+  std::int64_t impacts = 0;     // impulses at their own time within the step
+  std::int64_t clusters = 0;    // instants at which several impacts hung together
+  std::int64_t handedOver = 0;  // islands that began as exact and were left to the substeps
   std::int64_t flightStretches = 1;  // into which the flight of a step is divided (sharp wells)
 };
 

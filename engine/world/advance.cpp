@@ -1,7 +1,5 @@
 #include "world/advance.h"
 
-#include "contacts/sequential_impulses.h"
-
 namespace wells {
 namespace {
 
@@ -29,8 +27,8 @@ bool mayTouchArena(const Arena& arena, const Vec3& position, double radius, doub
   return gap <= reach;
 }
 
-void advance(const Settings& settings, const PathModel& model, StepPlan& plan, Balls& balls,
-             Books* books) {
+ResolvedCounts advance(const Settings& settings, const PathModel& model, StepPlan& plan,
+                       Balls& balls, Books* books) {
   Vec3* const position = balls.position.data();
   Vec3* const velocity = balls.velocity.data();
   const Ledger ledger{books, model.arena->center};
@@ -46,6 +44,7 @@ void advance(const Settings& settings, const PathModel& model, StepPlan& plan, B
 
   const double h = settings.dt / settings.substeps;
   plan.velocityBefore.resize(balls.size());
+  ResolvedCounts counts;
   const bool anyInSubsteps = !plan.touching.empty() || !plan.drifting.empty();
   for (int substep = 0; anyInSubsteps && substep < settings.substeps; ++substep) {
     for (const std::uint32_t i : plan.touching) plan.velocityBefore[i] = velocity[i];
@@ -55,9 +54,13 @@ void advance(const Settings& settings, const PathModel& model, StepPlan& plan, B
     }
     fly(substep * h, h, plan.touching);
     const SubstepBooks booking{books, model.field, (substep + 1) * h, plan.touching};
-    resolveContacts(settings, *model.arena, h, {plan.ballContacts, plan.arenaContacts},
-                    plan.velocityBefore.data(), balls, books ? &booking : nullptr);
+    const ResolvedCounts resolved = resolveContacts(
+        settings, *model.arena, h, {plan.ballContacts, plan.arenaContacts},
+        plan.velocityBefore.data(), balls, plan.workspace, books ? &booking : nullptr);
+    counts.direct += resolved.direct;
+    counts.unsolved += resolved.unsolved;
   }
+  return counts;
 }
 
 }  // namespace wells

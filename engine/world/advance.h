@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contacts/path.h"
+#include "contacts/sequential_impulses.h"
 #include "state/books.h"
 #include "state/world.h"
 
@@ -20,6 +21,7 @@ struct StepPlan {
   std::vector<std::uint32_t> touching;  // the others
   std::vector<std::uint32_t> drifting;  // ghosts that move on at their velocity, whatever pulls
   std::vector<Vec3> velocityBefore;     // by ball, scratch
+  ContactWorkspace workspace;
 };
 
 /// How far a ball may move during a step (m): by its speed, by twice what its present acceleration
@@ -36,8 +38,8 @@ bool mayTouchArena(const Arena& arena, const Vec3& position, double radius, doub
                    std::uint32_t partner);
 
 /// Advances all balls of the plan by settings.dt: the free ones in one flight, the others in
-/// substeps. Books it unless `books` is null.
-void advance(const Settings& settings, const PathModel& model, StepPlan& plan, Balls& balls,
-             Books* books = nullptr);
+/// substeps. Books it unless `books` is null. Returns the sums over the substeps.
+ResolvedCounts advance(const Settings& settings, const PathModel& model, StepPlan& plan,
+                       Balls& balls, Books* books = nullptr);
 
 }  // namespace wells

@@ -81,8 +81,10 @@ class Simulation : public Stepper {
     startFromOldImpulses(world);
     planFlights(world);
     counts_.substepBalls = static_cast<std::int64_t>(plan_.touching.size());
-    advance(world.settings, input.model, plan_, world.balls,
-            keeper_.books() ? &stepBooks_ : nullptr);
+    const ResolvedCounts resolved = advance(world.settings, input.model, plan_, world.balls,
+                                            keeper_.books() ? &stepBooks_ : nullptr);
+    counts_.directContacts = resolved.direct;
+    counts_.unsolvedIslands = resolved.unsolved;
     return enlargeReaches(world) == 0;
   }
 

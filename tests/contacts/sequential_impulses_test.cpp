@@ -19,11 +19,13 @@ struct Scene {
   Balls balls;
   std::vector<Contact> ballContacts;
   std::vector<Contact> arenaContacts;
+  ContactWorkspace workspace;
 
   /// Resolves with the velocities that the balls have, as if no force had acted.
   void resolve() {
     const std::vector<Vec3> before = balls.velocity;
-    resolveContacts(settings, arena, kSubstep, {ballContacts, arenaContacts}, before.data(), balls);
+    resolveContacts(settings, arena, kSubstep, {ballContacts, arenaContacts}, before.data(), balls,
+                    workspace);
   }
 };
 
@@ -149,7 +151,7 @@ TEST(RestingRule, BallOnTheGroundStays) {
     scene.balls.position[0].y() += before.y() * kSubstep - 9.81 * kSubstep * kSubstep / 2;
     scene.balls.velocity[0].y() -= 9.81 * kSubstep;
     resolveContacts(scene.settings, scene.arena, kSubstep, {{}, scene.arenaContacts}, &before,
-                    scene.balls);
+                    scene.balls, scene.workspace);
     ASSERT_NEAR(scene.balls.position[0].y(), 0.5, 1e-15);
     ASSERT_EQ(scene.balls.velocity[0].y(), 0);
   }
