@@ -157,8 +157,8 @@ Key contactMethodKey() {
       .name = "ContactMethod",
       .allowed = fmt::format("{}", fmt::join(kContactMethodNames, ", ")),
       .help =
-          "exact: impacts at their own times within the step, single balls roll and slide on the "
-          "ground, other lasting contacts by substeps; substep: all contacts by substeps; auto: "
+          "exact: impacts at their own times within the step, single balls roll and slide on "
+          "ground or wall, other lasting contacts by substeps; substep: all contacts by substeps; auto: "
           "exact, but crowds by substeps",
       .set =
           [](Config& c, std::string_view v, const fs::path&) {
