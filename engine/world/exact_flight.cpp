@@ -55,6 +55,8 @@ void ExactFlight::begin(const StepInput& in, std::span<const std::uint32_t> isla
   books_ = {};
   ledger_ = {keepsBooks_ ? &books_ : nullptr, in.model.arena->center};
   motionsEnded_ = 0;
+  mostInelastic_ = std::max(kMostInelasticImpacts,
+                            kMostInelasticOfBall * static_cast<std::int64_t>(island.size()));
   events_.clear();
   path_.resize(balls.size());
   start_.resize(balls.size());
@@ -100,7 +102,7 @@ IslandFate ExactFlight::simulate(const StepInput& in, std::span<const Contact> p
     if (isOutdated(pairs, event)) continue;
 
     if (event.pair == kEndOfMotion) {
-      if (++motionsEnded_ > kMostInelasticImpacts) return IslandFate::Sustained;
+      if (++motionsEnded_ > mostInelastic_) return IslandFate::Sustained;
       cluster_.clear();
       clusterBalls_.assign(1, event.ball);
       book(in, event.ball, event.time, balls);
@@ -144,7 +146,7 @@ IslandFate ExactFlight::resolve(const StepInput& in, double time, Balls& balls) 
   if (cluster_.size() > 1) ++counts_.clusters;
   if (isElastic)
     return counts_.impacts > in.settings.mostImpacts ? IslandFate::TooMany : IslandFate::Done;
-  return counts_.impacts > kMostInelasticImpacts ? IslandFate::Sustained : IslandFate::Done;
+  return counts_.impacts > mostInelastic_ ? IslandFate::Sustained : IslandFate::Done;
 }
 
 double ExactFlight::pressingOfLoneBall(const StepInput& in, double time, const Balls& balls) const {

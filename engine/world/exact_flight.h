@@ -46,11 +46,13 @@ struct ExactCounts {
   std::int64_t clusters = 0;  // instants at which several of them hung together
 };
 
-/// An island with more inelastic impacts or changes of motion in one step than this is left to the
-/// solver of lasting contacts. So is one with an inelastic impact that is slower than what presses
-/// the balls together in half a substep: its bounces would be shorter than one. (Not so one ball
-/// that bounces on the ground alone; see kSettlingTime.)
+/// An island with more inelastic impacts or changes of motion in one step than this, or for each of
+/// its balls than that, whichever is more, is left to the solver of lasting contacts. So is one
+/// with an inelastic impact that is slower than what presses the balls together in half a substep:
+/// its bounces would be shorter than one. (Not so one ball that bounces on ground or wall alone;
+/// see kSettlingTime.)
 inline constexpr std::int64_t kMostInelasticImpacts = 1000;
+inline constexpr std::int64_t kMostInelasticOfBall = 10;
 
 /// The bounces of one ball on ground or wall follow each other in a geometric series of ratio e.
 /// When what is left of it is shorter than this (of the step), or the next one lower than this (of
@@ -136,6 +138,7 @@ class ExactFlight {
   Books books_;
   Ledger ledger_;
   std::int64_t motionsEnded_ = 0;
+  std::int64_t mostInelastic_ = 0;
   double dt_ = 0;  // s
 };
 

@@ -105,6 +105,31 @@ TEST(Conservation, OfEnergyUnderGravity) {
   EXPECT_LE(measure(world).worstOverlap(), 1e-9);
 }
 
+// However long the step, elastic impacts are exact: in 0.2 s a ball of this gas is hit 0.9 times,
+// and hundreds are thrown further than could be expected of their speed at the start.
+TEST(Gas, KeepsItsEnergyInLongSteps) {
+  World world = makeScene(findScene("T2"));
+  world.settings.dt = 0.2;
+  const double before = measure(world).kineticEnergy;
+  const RunCounts counts = run(world, 10);
+  EXPECT_GT(counts.impacts, 5000);
+  EXPECT_EQ(counts.substepBalls, 0);
+  EXPECT_NEAR(measure(world).kineticEnergy / before, 1, 1e-12);
+  EXPECT_LE(measure(world).worstOverlap(), 1e-9);
+}
+
+// Nearly all balls of a dense gas may meet in one step, and so are one island; it has more impacts
+// than one of few balls may have.
+TEST(Gas, IsExactInOneIsland) {
+  World world = makeScene(findScene("T2"));
+  world.settings.contactMethod = ContactMethod::Exact;
+  world.settings.elasticity = 0.9;
+  world.settings.dt = 0.1;
+  const RunCounts counts = run(world, 2);
+  EXPECT_GT(counts.impacts, 2000);
+  EXPECT_EQ(counts.substepBalls, 0);
+}
+
 // T2, for 5 s. In an elastic gas without forces the kinetic energy is that of the start and nothing
 // overlaps; the momentum is what ground and wall gave, and a smooth wall gives no angular momentum
 // about its axis.
