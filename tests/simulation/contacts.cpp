@@ -24,7 +24,9 @@ void Contacts::hear(const gravity_wells::heartbeat_t& heartbeat, const Generatio
   // One that a later one overtook tells an old phase.
   if (header.sequence <= heard->newestHeartbeat) return hear(header, generation, now);
   heard->newestHeartbeat = header.sequence;
+  if (heard->generation != generationOf(header)) heard->step = -1;
   heard->generation = generationOf(header);
+  heard->isPaused = heartbeat.paused != 0;
   heard->phase = static_cast<Phase>(heartbeat.phase);
   hear(header, generation, now);
 }
@@ -39,6 +41,9 @@ void Contacts::hear(const gravity_wells::peer_header_t& header, const Generation
   const bool isMember = heard->generation == generation &&
                         (heard->phase == Phase::Syncing || heard->phase == Phase::Active);
   if (!isMember) return;
+  // What was lost once and is played back later is news, but no sign of life.
+  if (!heard->isPaused && header.step <= heard->step) return;
+  heard->step = header.step;
   if (now - heard->renewed > kSteadyGap * lease_) heard->steadySince = now;
   if (now - heard->renewed > kCloseGap * lease_) heard->closeSince = now;
   heard->renewed = now;

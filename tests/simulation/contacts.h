@@ -42,6 +42,8 @@ class Contacts {
     Phase phase = Phase::Joining;
     SequenceWindow sequences{};
     std::int64_t newestHeartbeat = 0;  // its sequence number
+    bool isPaused = false;             // says so
+    std::int64_t step = -1;            // the furthest heard
     double steadySince = kNever;       // s
     double closeSince = kNever;        // s
     double renewed = kNever;           // s

@@ -60,6 +60,13 @@ TEST_F(ContactsTest, AMessageThatIsPlayedBackSaysNothing) {
   EXPECT_TRUE(contacts.hearsOnly({}, 4, 5));
 }
 
+TEST_F(ContactsTest, AnOldMessageThatWasNotHeardThenIsNoSignOfLife) {
+  for (step = 10; step < 30; ++step) beat(0.1 * static_cast<double>(step));
+  step = 20;
+  beat(4);
+  EXPECT_FALSE(contacts.isSteady(kOther, 0.5, 4.5)) << "heard last at 2.9 s";
+}
+
 TEST_F(ContactsTest, AnotherGenerationHasNoSay) {
   gravity_wells::heartbeat_t heartbeat{};
   heartbeat.header.peer_id = 2;

@@ -144,8 +144,8 @@ void Run::noteChanges(Process& process) {
   for (const auto& other : processes_)
     if (other.get() != &process && !other->isKilled && other->phase == Phase::Active &&
         other->generation == process.generation && now_ - other->activeSince >= kInTouch &&
-        process.contacts().isSteady(other->self, kInTouch, now_) &&
-        other->contacts().isSteady(process.self, kInTouch, now_))
+        process.contacts().isClose(other->self, kInTouch, now_) &&
+        other->contacts().isClose(process.self, kInTouch, now_))
       others.push_back(other->number());
   invariants_.joined(process.view(), others, now_);
 }
