@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "contacts/held_motion.h"
 #include "flight/integrators.h"
 #include "forces/field.h"
 #include "world/contact_choice.h"
@@ -44,6 +45,21 @@ double largestCoordinate(const Positions& positions) {
   return largest;
 }
 
+/// s. In longer steps a ball that runs round the wall moves in pieces of always the same length,
+/// and halving the step tells nothing. (Where no force acts, pieces of any length are exact.)
+double undividedStep(const World& world) {
+  const Settings& settings = world.settings;
+  if (settings.friction == 0 && squaredLength(settings.gravity) == 0 && world.tracks.empty())
+    return std::numeric_limits<double>::infinity();
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < world.balls.size(); ++i) {
+    const double speed = length(world.balls.velocity[i]);
+    if (isFinite(world.balls.state(i)) && speed > 0)
+      least = std::min(least, kLongestArc * (world.arena.radius - world.balls.radius[i]) / speed);
+  }
+  return least;
+}
+
 class Convergence {
  public:
   Convergence(Trials& trials, const TrialGoal& goal, double duration)
@@ -61,9 +77,12 @@ class Convergence {
   /// by far less.
   void run() {
     const double tolerance = kTolerance * goal_.error;
+    const double undivided = undividedStep(trials_.start(goal_.dt));
     const double before = trials_.spent();
     const double most = before + kShare * (1 - before);
-    runWith(fewestSteps_);
+    const double longest = undividedStep(trials_.start(goal_.dt));
+    runWith(
+        std::max(fewestSteps_, static_cast<std::int64_t>(std::ceil(times_.interval / longest))));
     double change = std::numeric_limits<double>::infinity();  // m, where runs first disagree
     int agreedBefore = 0;
     int mostAgreed = 0;
@@ -74,7 +93,9 @@ class Convergence {
           last().run.work * static_cast<double>(next) / static_cast<double>(last().steps);
       if (trials_.spent() + expected / kMostTrialWork > most || times_.dt(next) < kShortestStep)
         return;
+      const bool tells = times_.dt(last().steps) <= undivided;
       runWith(next);
+      if (!tells) continue;
       const int agreed = agreement(tolerance);
       agreed_ = std::max(std::min(agreedBefore, agreed), agreement(tolerance / kFarLess));
       const double now = agreed_ < times_.count ? changeAt(agreed_) : 0;

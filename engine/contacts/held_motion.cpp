@@ -11,7 +11,6 @@ constexpr double kSlipNoise = 1e-10;
 constexpr double kTurningShare = 1.0 / 8;      // of the time in which friction ends a slip
 constexpr double kFollowingShare = 1.0 / 256;  // of the slip that friction ends in a stretch
 constexpr double kShortestStep = 1.0 / 256;    // of a stretch: bounds the work
-constexpr double kLongestArc = 1.0 / 8;        // rad, round the wall
 
 Surface surfaceOf(const PathModel& model, const Path& path) {
   return {*model.arena, path.surface, path.state.position, path.radius};

@@ -88,6 +88,9 @@ Vec3 slipOf(const PathModel& model, const Path& path);
 /// m/s: a slip this small, of the speeds that it is made of, is over.
 double slipNoise(const BallState& ball, double radius);
 
+/// A motion that turns further than this (rad) round the wall within a step goes in several pieces.
+inline constexpr double kLongestArc = 1.0 / 8;
+
 inline constexpr double kSlipRatio = 1 + 1 / kInertiaFactor;  // u' over v' of friction, 7/2
 
 }  // namespace wells

@@ -63,7 +63,8 @@ std::int64_t stepsOf(double duration, double dt) {
   return std::llround(duration / dt);
 }
 
-/// The case of an impact on a wall, of an orbit and of impacts on a bent path.
+/// The case of an impact on a wall, of an orbit, of impacts on a bent path and of a ball that rolls
+/// round the wall, where long steps are divided alike, too.
 class Exact : public testing::TestWithParam<std::tuple<const char*, int>> {
  protected:
   const AccuracyCase& answer = findAccuracyCase(std::get<0>(GetParam()));
@@ -91,15 +92,22 @@ TEST_P(Exact, TheErrorIsReachedAndForHalfTheCostByNothing) {
       }
 }
 
+std::string nameOf(const testing::TestParamInfo<std::tuple<const char*, int>>& test) {
+  std::string text = std::get<0>(test.param);
+  std::erase(text, '-');
+  return text + "_1e_" + std::to_string(std::get<1>(test.param));
+}
+
 INSTANTIATE_TEST_SUITE_P(Cases, Exact,
                          testing::Combine(testing::Values("circle-billiard", "orbit", "orbit-short",
                                                           "well-bounces"),
                                           testing::Range(3, 11)),
-                         [](const auto& test) {
-                           std::string text = std::get<0>(test.param);
-                           std::erase(text, '-');
-                           return text + "_1e_" + std::to_string(std::get<1>(test.param));
-                         });
+                         nameOf);
+
+// Rounding at each step counts from 1e-10 m on.
+INSTANTIATE_TEST_SUITE_P(RoundTheWall, Exact,
+                         testing::Combine(testing::Values("wall-rolling"), testing::Range(3, 9)),
+                         nameOf);
 
 // Steps of 2/15 s, of half and of a quarter of that are divided into the same stretches of flight
 // here, and so give the same bits: that they agree says nothing of how exact they are.
