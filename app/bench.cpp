@@ -162,8 +162,8 @@ void requireTrial(const BenchOptions& options) {
                                                  {"--from settled", options.from == "settled"}};
   for (const auto& [name, isGiven] : chosen)
     if (isGiven)
-      throw UsageError(
-          fmt::format("--target-error and {}: they exclude each other; allowed: one of them", name));
+      throw UsageError(fmt::format(
+          "--target-error and {}: they exclude each other; allowed: one of them", name));
 }
 
 /// Puts the choice of --target-error into `world`, says it on stderr, and returns the number of

@@ -153,22 +153,22 @@ Key integratorKey() {
 }
 
 Key contactMethodKey() {
-  return {
-      .name = "ContactMethod",
-      .allowed = fmt::format("{}", fmt::join(kContactMethodNames, ", ")),
-      .help =
-          "exact: impacts at their own times within the step, single balls roll and slide on "
-          "ground or wall, other lasting contacts by substeps; substep: all contacts by substeps; auto: "
-          "exact, but crowds by substeps",
-      .set =
-          [](Config& c, std::string_view v, const fs::path&) {
-            const auto method = contactMethod(trimmed(v));
-            if (!method) throw BadValue("no such contact method");
-            c.settings.contactMethod = *method;
-          },
-      .get = [](const Config& c) -> std::vector<std::string> {
-        return {std::string(name(c.settings.contactMethod))};
-      }};
+  return {.name = "ContactMethod",
+          .allowed = fmt::format("{}", fmt::join(kContactMethodNames, ", ")),
+          .help =
+              "exact: impacts at their own times within the step, single balls roll and slide on "
+              "ground or wall, other lasting contacts by substeps; substep: all contacts by "
+              "substeps; auto: "
+              "exact, but crowds by substeps",
+          .set =
+              [](Config& c, std::string_view v, const fs::path&) {
+                const auto method = contactMethod(trimmed(v));
+                if (!method) throw BadValue("no such contact method");
+                c.settings.contactMethod = *method;
+              },
+          .get = [](const Config& c) -> std::vector<std::string> {
+            return {std::string(name(c.settings.contactMethod))};
+          }};
 }
 
 Key hostIpKey() {

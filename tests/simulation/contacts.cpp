@@ -24,9 +24,7 @@ void Contacts::hear(const gravity_wells::heartbeat_t& heartbeat, const Generatio
   // One that a later one overtook tells an old phase.
   if (header.sequence <= heard->newestHeartbeat) return hear(header, generation, now);
   heard->newestHeartbeat = header.sequence;
-  if (heard->generation != generationOf(header)) heard->step = -1;
   heard->generation = generationOf(header);
-  heard->isPaused = heartbeat.paused != 0;
   heard->phase = static_cast<Phase>(heartbeat.phase);
   hear(header, generation, now);
 }
@@ -35,15 +33,16 @@ void Contacts::hear(const gravity_wells::peer_header_t& header, const Generation
                     double now) {
   Heard* heard = find({PeerId{header.peer_id}, header.incarnation});
   if (!heard || !heard->sequences.accept(header.sequence)) return;
+  // What was lost once and is played back later is news, but no sign of life.
+  const bool isLatest = header.sequence > heard->newest;
+  heard->newest = std::max(heard->newest, header.sequence);
   if (!generation.exists() || generationOf(header) != generation) return;
   // Its states count even before the first heartbeat that tells of the generation.
+  const bool isKnown = heard->generation == generation;
+  const bool hasSay = heard->phase == Phase::Syncing || heard->phase == Phase::Active;
+  if (isKnown && !hasSay) return;
   heard->asMember = now;
-  const bool isMember = heard->generation == generation &&
-                        (heard->phase == Phase::Syncing || heard->phase == Phase::Active);
-  if (!isMember) return;
-  // What was lost once and is played back later is news, but no sign of life.
-  if (!heard->isPaused && header.step <= heard->step) return;
-  heard->step = header.step;
+  if (!isKnown || !isLatest) return;
   if (now - heard->renewed > kSteadyGap * lease_) heard->steadySince = now;
   if (now - heard->renewed > kCloseGap * lease_) heard->closeSince = now;
   heard->renewed = now;

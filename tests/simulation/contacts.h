@@ -42,8 +42,7 @@ class Contacts {
     Phase phase = Phase::Joining;
     SequenceWindow sequences{};
     std::int64_t newestHeartbeat = 0;  // its sequence number
-    bool isPaused = false;             // says so
-    std::int64_t step = -1;            // the furthest heard
+    std::int64_t newest = 0;           // sequence number of any message
     double steadySince = kNever;       // s
     double closeSince = kNever;        // s
     double renewed = kNever;           // s

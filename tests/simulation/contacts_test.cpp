@@ -61,10 +61,17 @@ TEST_F(ContactsTest, AMessageThatIsPlayedBackSaysNothing) {
 }
 
 TEST_F(ContactsTest, AnOldMessageThatWasNotHeardThenIsNoSignOfLife) {
-  for (step = 10; step < 30; ++step) beat(0.1 * static_cast<double>(step));
-  step = 20;
+  for (step = 10; step < 30; ++step) {
+    if (step == 20) ++sequence;  // lost
+    beat(0.1 * static_cast<double>(step));
+  }
+  const std::int64_t newest = sequence;
+  sequence = 10;
   beat(4);
   EXPECT_FALSE(contacts.isSteady(kOther, 0.5, 4.5)) << "heard last at 2.9 s";
+  sequence = newest;
+  beat(4);
+  EXPECT_TRUE(contacts.isSteady(kOther, 0.5, 4.5));
 }
 
 TEST_F(ContactsTest, AnotherGenerationHasNoSay) {
