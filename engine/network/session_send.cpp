@@ -60,6 +60,7 @@ void Session::leave(World& world, Times now) {
     // No more than the receivers' buffers hold; of the rest they have predictions.
     const StatePace pace{.moving = 0, .resting = 0, .limit = 2 * options_.ballsPerTick};
     sendStates(world, schedule_.pick(world, pace, now.monotonic), now);
+    sendHeartbeat(world, now);  // with the last digests
   }
   phase_ = Phase::Leaving;
   for (int i = 0; i < kFarewells; ++i) sendHeartbeat(world, now);
@@ -103,11 +104,13 @@ void Session::addDigests(gravity_wells::heartbeat_t& m, Times now) {
   m.first_bucket = 0;
   m.buckets = 0;
   if (phase_ != Phase::Active && phase_ != Phase::Syncing) return;
+  // At the end of a run nothing changes hands any more.
+  const double known = now.monotonic - (m.complete ? 0 : kKnown);
   if (nextBucket_ >= buckets) nextBucket_ = 0;
   const std::size_t end = std::min<std::size_t>(nextBucket_ + kMaxBucketsInMessage, buckets);
   m.first_bucket = static_cast<std::int32_t>(nextBucket_);
   for (; nextBucket_ < end; ++nextBucket_)
-    m.digests.push_back(digestMessage(balls_.digest(nextBucket_, phase_, now.monotonic - kKnown)));
+    m.digests.push_back(digestMessage(balls_.digest(nextBucket_, phase_, known)));
   m.buckets = static_cast<std::int32_t>(m.digests.size());
 }
 
