@@ -170,6 +170,8 @@ class Session {
   void publish(World& world, Times now);
   gravity_wells::peer_header_t header(const World& world, Times now);
   void send(const Message& message);
+  /// Ends the lease of the present incarnation everywhere. Sets the phase.
+  void sayGoodBye(const World& world, Times now);
   void sendHeartbeat(const World& world, Times now);
   void addDigests(gravity_wells::heartbeat_t& m, Times now);
   void sendSettings(const World& world, Times now);

@@ -260,7 +260,13 @@ void Session::fence(World& world, PeerId newId, Times now) {
   const double lastLoop = lastLoop_.value_or(now.monotonic);
   ++counts_.fences;
   peers_.leases().end(self_, now.monotonic);
-  if (newId != peer() && phase_ == Phase::Active) switchOff(world.tracks, peer(), world.step);
+  if (newId != peer()) {
+    if (phase_ == Phase::Active) switchOff(world.tracks, peer(), world.step);
+    // While this incarnation lives, the others refuse an elder one with its id.
+    const Phase before = phase_;
+    sayGoodBye(world, now);
+    phase_ = before;
+  }
   takeIncarnation(newId, now);
   if (peers_.heardMemberSince(lastLoop - options_.lease)) {
     forgetOwners(world, now);

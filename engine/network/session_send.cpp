@@ -62,6 +62,10 @@ void Session::leave(World& world, Times now) {
     sendStates(world, schedule_.pick(world, pace, now.monotonic), now);
     sendHeartbeat(world, now);  // with the last digests
   }
+  sayGoodBye(world, now);
+}
+
+void Session::sayGoodBye(const World& world, Times now) {
   phase_ = Phase::Leaving;
   for (int i = 0; i < kFarewells; ++i) sendHeartbeat(world, now);
 }
