@@ -2,20 +2,14 @@
 
 #include <numeric>
 
+#include "math/union_find.h"
+
 namespace wells {
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffff;
 
 }  // namespace
-
-std::uint32_t TouchingIslands::root(std::uint32_t ball) {
-  while (parent_[ball] != ball) {
-    parent_[ball] = parent_[parent_[ball]];
-    ball = parent_[ball];
-  }
-  return ball;
-}
 
 void TouchingIslands::find(std::span<Contact> balls, std::span<Contact> arena,
                            std::size_t ballCount) {
@@ -34,13 +28,13 @@ void TouchingIslands::find(std::span<Contact> balls, std::span<Contact> arena,
     }
   });
   forEach([&](const Contact& c) {
-    if (isBall(c.b)) parent_[root(c.a)] = root(c.b);
+    if (isBall(c.b)) parent_[rootOf(parent_, c.a)] = rootOf(parent_, c.b);
   });
 
   // Number the islands and count, then fill.
   start_.assign(1, 0);
   forEach([&](const Contact& c) {
-    std::uint32_t& island = islandOf_[root(c.a)];
+    std::uint32_t& island = islandOf_[rootOf(parent_, c.a)];
     if (island == kNone) {
       island = static_cast<std::uint32_t>(start_.size() - 1);
       start_.push_back(0);
@@ -50,7 +44,7 @@ void TouchingIslands::find(std::span<Contact> balls, std::span<Contact> arena,
   std::partial_sum(start_.begin(), start_.end(), start_.begin());
   next_.assign(start_.begin(), start_.end() - 1);
   contacts_.resize(start_.back());
-  forEach([&](Contact& c) { contacts_[next_[islandOf_[root(c.a)]]++] = &c; });
+  forEach([&](Contact& c) { contacts_[next_[islandOf_[rootOf(parent_, c.a)]]++] = &c; });
 }
 
 }  // namespace wells

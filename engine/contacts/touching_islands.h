@@ -25,8 +25,6 @@ class TouchingIslands {
   }
 
  private:
-  std::uint32_t root(std::uint32_t ball);
-
   std::vector<std::uint32_t> parent_;    // by ball, union-find; only those of contacts are valid
   std::vector<std::uint32_t> islandOf_;  // by ball, valid at roots
   std::vector<std::uint32_t> start_, next_;

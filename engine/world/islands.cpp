@@ -2,20 +2,14 @@
 
 #include <numeric>
 
+#include "math/union_find.h"
+
 namespace wells {
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffff;
 
 }  // namespace
-
-std::uint32_t Islands::root(std::uint32_t ball) {
-  while (parent_[ball] != ball) {
-    parent_[ball] = parent_[parent_[ball]];
-    ball = parent_[ball];
-  }
-  return ball;
-}
 
 void Islands::find(std::span<const Contact> ballContacts, std::span<const Contact> arenaContacts,
                    std::size_t ballCount) {
@@ -25,8 +19,8 @@ void Islands::find(std::span<const Contact> ballContacts, std::span<const Contac
   for (const Contact& c : arenaContacts) isPaired_[c.a] = 1;
   for (const Contact& c : ballContacts) {
     isPaired_[c.a] = isPaired_[c.b] = 1;
-    const std::uint32_t a = root(c.a);
-    const std::uint32_t b = root(c.b);
+    const std::uint32_t a = rootOf(parent_, c.a);
+    const std::uint32_t b = rootOf(parent_, c.b);
     // The lower id is the root, so that islands come in order of their lowest ball.
     if (a < b)
       parent_[b] = a;
@@ -39,7 +33,7 @@ void Islands::find(std::span<const Contact> ballContacts, std::span<const Contac
   ballStart_.assign(1, 0);
   for (std::uint32_t i = 0; i < ballCount; ++i) {
     if (!isPaired_[i]) continue;
-    const std::uint32_t r = root(i);
+    const std::uint32_t r = rootOf(parent_, i);
     if (r == i) {
       islandOf_[i] = static_cast<std::uint32_t>(ballStart_.size() - 1);
       ballStart_.push_back(0);

@@ -32,8 +32,6 @@ class Islands {
   }
 
  private:
-  std::uint32_t root(std::uint32_t ball);
-
   std::vector<std::uint32_t> parent_;  // by ball, union-find
   std::vector<std::uint32_t> islandOf_;
   std::vector<std::uint8_t> isPaired_;

@@ -6,7 +6,7 @@
 #include "support/held_ball.h"
 #include "support/oracle_world.h"
 #include "support/order.h"
-#include "support/run_world.h"
+#include "support/step_errors.h"
 
 namespace wells {
 namespace {
@@ -81,15 +81,7 @@ void PrintTo(const Case& c, std::ostream* out) {
 // of 10 m, with RK4's 1/120, 1.6e-5 m.
 TEST_P(GroundPath, IsFollowed) {
   const Case& c = GetParam();
-  const Vec3 exact = endOf(c);
-  std::vector<std::pair<double, double>> errors;
-  for (int n = 60; n <= 480; n *= 2) {
-    World world = worldOf(c, 1.0 / n);
-    const RunCounts counts = runFor(world, c.duration);
-    EXPECT_EQ(counts.substepBalls, 0) << n;
-    errors.emplace_back(1.0 / (n * static_cast<double>(counts.flightStretches)),
-                        length(world.balls.position[0] - exact));
-  }
+  const auto errors = stepErrors([&](double dt) { return worldOf(c, dt); }, c.duration, endOf(c));
   // The ever shorter steps in which a slip turns as it ends are as coarse at any dt: 1e-11 m.
   EXPECT_GE(fittedOrder(errors), c.slipEndsTurning ? 2.8 : 3.8);
   EXPECT_LE(errors.front().second, 1.6e-5);

@@ -7,7 +7,7 @@
 #include "support/held_ball.h"
 #include "support/oracle_world.h"
 #include "support/order.h"
-#include "support/run_world.h"
+#include "support/step_errors.h"
 
 namespace wells {
 namespace {
@@ -75,16 +75,8 @@ void PrintTo(const Case& c, std::ostream* out) {
 
 TEST_P(WallPath, IsFollowed) {
   const Case& c = GetParam();
-  const Vec3 exact = endOf(c);
-  std::vector<std::pair<double, double>> errors;
-  for (int n = 60; n <= 480; n *= 2) {
-    World world = worldOf(c, 1.0 / n);
-    const RunCounts counts = runFor(world, c.duration);
-    EXPECT_EQ(counts.substepBalls, 0) << n;
-    const double error = length(world.balls.position[0] - exact);
-    if (error > kReference || errors.size() < 2)
-      errors.emplace_back(1.0 / (n * static_cast<double>(counts.flightStretches)), error);
-  }
+  auto errors = stepErrors([&](double dt) { return worldOf(c, dt); }, c.duration, endOf(c));
+  while (errors.size() > 2 && errors.back().second <= kReference) errors.pop_back();
   EXPECT_LE(errors.front().second, 1e-6);
   // The ever shorter steps in which a slip turns as it ends are as coarse at any dt.
   if (c.slipEndsTurning)
