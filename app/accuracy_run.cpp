@@ -19,7 +19,9 @@ namespace wells {
 namespace {
 
 bool conservesEnergy(const World& world) {
-  return world.settings.elasticity == 1 && world.settings.friction == 0 && world.settings.drag == 1;
+  const Settings& settings = world.settings;
+  return settings.elasticity == 1 && settings.friction == 0 && settings.rollingResistance == 0 &&
+         settings.drag == 1;
 }
 
 WorkPoint measureErrors(const AccuracyTask& task) {

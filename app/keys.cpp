@@ -47,6 +47,10 @@ std::vector<Key> makeKeys() {
                  "coefficient of restitution"),
        numberKey("Friction", "", WELLS_FIELD(settings.friction), Range::between(0, 1000),
                  "Coulomb's coefficient; in the reference engines the viscous factor of rolling"),
+       numberKey("RollingResistance", "m", WELLS_FIELD(settings.rollingResistance),
+                 Range::between(0, kLargestLength),
+                 "lever arm of rolling resistance: a torque of so much times the normal force of a "
+                 "contact; 0 for none. Not in the reference engines"),
        numberKey("Gravity", "m/s^2", WELLS_FIELD(settings.gravity.y()), Range::between(-1e6, 1e6),
                  "vertical, up is positive; 0 for none"),
        numberKey("Drag", "", WELLS_FIELD(settings.drag), Range::above(0, 1),

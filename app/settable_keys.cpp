@@ -37,6 +37,8 @@ std::vector<SettableKey> makeKeys() {
       {string(setting::kGravity), "on, off or reversed", "compared with the world's own", "on"},
       {string(setting::kElasticity), "0 to 1", "coefficient of restitution", kAsConfigured},
       {string(setting::kFriction), "0 to 100", "coefficient of friction", kAsConfigured},
+      {string(setting::kRollingResistance), "0 to 1e6 m", "lever arm of rolling resistance",
+       kAsConfigured},
       {string(setting::kReset), "now", "the world starts over; what was set stays", "never"},
       {wellKeyName(setting::kWell), "attract, repel or off",
        "what the well of peer N does, as strongly as it is", kAsConfigured},

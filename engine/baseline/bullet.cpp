@@ -14,7 +14,7 @@ bool same(const BallState& a, const BallState& b) {
 
 bool samePhysics(const Settings& a, const Settings& b) {
   return a.gravity == b.gravity && a.drag == b.drag && a.elasticity == b.elasticity &&
-         a.friction == b.friction;
+         a.friction == b.friction && a.rollingResistance == b.rollingResistance;
 }
 
 class BulletStepper : public Stepper {

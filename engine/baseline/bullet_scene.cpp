@@ -50,13 +50,19 @@ void BulletScene::apply(const Settings& settings) {
   world_.setGravity(toBullet(settings.gravity));
   const btScalar restitution = std::sqrt(single(settings.elasticity));
   const btScalar friction = std::sqrt(single(settings.friction));
+  // Of two bodies Bullet takes rolling friction x friction of the other, summed. Without friction
+  // it has none.
+  const btScalar rolling =
+      friction > 0 ? single(settings.rollingResistance) / (2 * friction) : btScalar{0};
   for (const auto& body : statics_) {
     body->setRestitution(restitution);
     body->setFriction(friction);
+    body->setRollingFriction(rolling);
   }
   for (const auto& body : balls_) {
     body->setRestitution(restitution);
     body->setFriction(friction);
+    body->setRollingFriction(rolling);
     body->setDamping(single(1 - settings.drag), 0);
     // The world's setGravity passes over bodies that sleep; whoever changes the rules wakes them.
     body->setGravity(toBullet(settings.gravity));

@@ -26,7 +26,7 @@ class BulletScene {
   /// Whether this is still the scene of `world`: same arena, radii and masses.
   bool fits(const World& world) const;
 
-  /// Puts gravity, elasticity, friction and drag where Bullet keeps them.
+  /// Puts gravity, elasticity, friction, rolling resistance and drag where Bullet keeps them.
   void apply(const Settings& settings);
 
   BallState ball(std::size_t i) const;

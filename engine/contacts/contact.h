@@ -33,6 +33,7 @@ struct Contact {
   double share = 0;                    // 0 .. 1, of the substep, in which its force acted
   double normalImpulse = 0;            // N s, >= 0, of the last substep
   Vec3 tangentImpulse = Vec3::Zero();  // N s on a, of the last substep
+  Vec3 rollingImpulse = Vec3::Zero();  // N m s, the torque of rolling resistance on a, likewise
 };
 
 /// Some direction for two balls whose centres coincide, so that a push-out has somewhere to go. It

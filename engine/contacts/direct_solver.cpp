@@ -20,27 +20,16 @@ Vec3 tangentOf(const Vec3& normal) {
   return across / length(across);
 }
 
-/// 1/kg: what an impulse of 1 N s at `y` does to the velocity at `x` through the balls they share.
-double couplingOf(const Contact& x, const Contact& y, double pushes, double turns) {
-  double sum = 0;
-  const auto share = [&](std::uint32_t one, std::uint32_t other, double inverseMass, double side) {
-    if (one == other) sum += inverseMass * (side * pushes + kSpinFactor * turns);
-  };
-  share(x.a, y.a, x.inverseMassA, 1);
-  share(x.a, y.b, x.inverseMassA, -1);
-  share(x.b, y.a, x.inverseMassB, -1);
-  share(x.b, y.b, x.inverseMassB, 1);
-  return sum;
-}
-
 }  // namespace
 
-bool DirectSolver::solve(double friction, std::span<Contact* const> contacts, const Balls& balls) {
-  rowsPerContact_ = friction > 0 ? 3 : 1;
-  friction_ = friction * std::sqrt(1 + kSpinFactor);
+bool DirectSolver::solve(double friction, std::span<Contact* const> contacts, const Balls& balls,
+                         double rollingResistance) {
+  friction_ = friction;
+  rollingResistance_ = rollingResistance;
+  rowsPerContact_ = 1 + (friction > 0 ? 2 : 0) + (rollingResistance > 0 ? 2 : 0);
   setUp(contacts, balls);
   const bool isSolved = approach();
-  keepImpulses(contacts);
+  keepImpulses(contacts, balls);
   return isSolved;
 }
 
@@ -72,35 +61,69 @@ bool DirectSolver::approach() {
 void DirectSolver::setUp(std::span<Contact* const> contacts, const Balls& balls) {
   const std::size_t n = contacts.size() * rowsPerContact_;
   rows_.clear();
+  cones_.clear();
   startVelocity_.clear();
   start_.clear();
   for (const Contact* c : contacts) {
+    const std::size_t normal = rows_.size();
     const double normalScale = std::sqrt(normalMass(*c));
-    rows_.push_back({-c->normal, Vec3::Zero(), normalScale});
+    rows_.push_back({-c->normal, Vec3::Zero(), Vec3::Zero(), normalScale});
     startVelocity_.push_back(-normalScale * (closingSpeed(balls, *c) + c->bounceSpeed));
     start_.push_back(c->normalImpulse / normalScale);
     if (rowsPerContact_ == 1) continue;
     const Vec3 first = tangentOf(c->normal);
-    const double scale = std::sqrt(tangentMass(*c));
-    for (const Vec3& tangent : {first, cross(c->normal, first)}) {
-      rows_.push_back({tangent, cross(c->normal, tangent), scale});
-      withPartner(*c, [&]<class Partner>() {
-        startVelocity_.push_back(scale * dot(slipVelocity<Partner>(balls, *c), tangent));
-      });
-      start_.push_back(dot(c->tangentImpulse, tangent) / scale);
-    }
+    const Vec3 tangents[2] = {first, cross(c->normal, first)};
+    withPartner(*c, [&]<class Partner>() {
+      if (friction_ > 0) {
+        const double scale = std::sqrt(tangentMass(*c));
+        cones_.push_back({normal, rows_.size(), friction_ * std::sqrt(1 + kSpinFactor)});
+        for (const Vec3& tangent : tangents) {
+          const Vec3 turn = cross(c->normal, tangent);
+          rows_.push_back({tangent, turn, turn, scale});
+          startVelocity_.push_back(scale * dot(slipVelocity<Partner>(balls, *c), tangent));
+          start_.push_back(dot(c->tangentImpulse, tangent) / scale);
+        }
+      }
+      if (rollingResistance_ > 0) {
+        const double scale = 1 / std::sqrt(inverseTurningInertia<Partner>(balls, *c));
+        // None within an impact.
+        cones_.push_back(
+            {normal, rows_.size(), c->impact ? 0 : rollingResistance_ * normalScale / scale});
+        for (const Vec3& axis : tangents) {
+          rows_.push_back({Vec3::Zero(), axis / balls.radius[c->a],
+                           isBall(c->b) ? Vec3(-axis / balls.radius[c->b]) : Vec3::Zero(), scale});
+          startVelocity_.push_back(scale * dot(rollingVelocity<Partner>(balls, *c), axis));
+          start_.push_back(dot(c->rollingImpulse, axis) / scale);
+        }
+      }
+    });
   }
   coupling_.resize(n * n);
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j)
-      coupling_[i * n + j] =
-          rows_[i].scale * rows_[j].scale *
-          couplingOf(*contacts[i / rowsPerContact_], *contacts[j / rowsPerContact_],
-                     dot(rows_[i].push, rows_[j].push), dot(rows_[i].turn, rows_[j].turn));
+      coupling_[i * n + j] = rows_[i].scale * rows_[j].scale * couplingOf(contacts, i, j);
   impulse_ = start_;
   velocity_.resize(n);
   residual_.resize(n);
   before_.resize(n);
+}
+
+/// What an impulse of 1 along row j does to the velocity along row i through the balls they share.
+double DirectSolver::couplingOf(std::span<Contact* const> contacts, std::size_t i,
+                                std::size_t j) const {
+  const Contact& x = *contacts[i / rowsPerContact_];
+  const Contact& y = *contacts[j / rowsPerContact_];
+  const double pushes = dot(rows_[i].push, rows_[j].push);
+  double sum = 0;
+  const auto share = [&](std::uint32_t one, const Vec3& turnOne, std::uint32_t other,
+                         const Vec3& turnOther, double inverseMass, double side) {
+    if (one == other) sum += inverseMass * (side * pushes + kSpinFactor * dot(turnOne, turnOther));
+  };
+  share(x.a, rows_[i].turnA, y.a, rows_[j].turnA, x.inverseMassA, 1);
+  share(x.a, rows_[i].turnA, y.b, rows_[j].turnB, x.inverseMassA, -1);
+  share(x.b, rows_[i].turnB, y.a, rows_[j].turnA, x.inverseMassB, -1);
+  share(x.b, rows_[i].turnB, y.b, rows_[j].turnB, x.inverseMassB, 1);
+  return sum;
 }
 
 double DirectSolver::evaluate() {
@@ -110,17 +133,17 @@ double DirectSolver::evaluate() {
     for (std::size_t j = 0; j < n; ++j) sum += coupling_[i * n + j] * (impulse_[j] - start_[j]);
     velocity_[i] = sum;
   }
-  for (std::size_t i = 0; i < n; i += rowsPerContact_) {
-    const double pressed = std::max(0.0, impulse_[i] - velocity_[i]);
+  for (std::size_t i = 0; i < n; i += rowsPerContact_)
     residual_[i] = impulse_[i] - velocity_[i] > 0 ? velocity_[i] : impulse_[i];
-    if (rowsPerContact_ == 1) continue;
-    const double first = impulse_[i + 1] - velocity_[i + 1];
-    const double second = impulse_[i + 2] - velocity_[i + 2];
+  for (const auto& [normal, i, limit] : cones_) {
+    const double pressed = std::max(0.0, impulse_[normal] - velocity_[normal]);
+    const double first = impulse_[i] - velocity_[i];
+    const double second = impulse_[i + 1] - velocity_[i + 1];
     const double size = std::sqrt(first * first + second * second);
-    const bool slips = size > friction_ * pressed;
-    const double cut = slips ? friction_ * pressed / size : 1;
-    residual_[i + 1] = slips ? impulse_[i + 1] - cut * first : velocity_[i + 1];
-    residual_[i + 2] = slips ? impulse_[i + 2] - cut * second : velocity_[i + 2];
+    const bool slips = size > limit * pressed;
+    const double cut = slips ? limit * pressed / size : 1;
+    residual_[i] = slips ? impulse_[i] - cut * first : velocity_[i];
+    residual_[i + 1] = slips ? impulse_[i + 1] - cut * second : velocity_[i + 1];
   }
   error_ = 0;
   scale_ = 0;
@@ -170,53 +193,58 @@ void DirectSolver::linearise() {
     std::copy_n(coupling(i), n, row(i));
     row(i)[i] += proximity_;
   };
-  for (std::size_t i = 0; i < n; i += rowsPerContact_) {
-    const double pressed = impulse_[i] - velocity_[i];
-    const bool isPressed = pressed > 0;
-    if (isPressed)
+  for (std::size_t i = 0; i < n; i += rowsPerContact_)
+    if (impulse_[i] - velocity_[i] > 0)
       copyRow(i);
     else
       row(i)[i] = 1;
-    if (rowsPerContact_ == 1) continue;
-    const double z[2] = {impulse_[i + 1] - velocity_[i + 1], impulse_[i + 2] - velocity_[i + 2]};
+  for (const auto& [normal, i, limit] : cones_) {
+    const double pressed = impulse_[normal] - velocity_[normal];
+    const bool isPressed = pressed > 0;
+    const double z[2] = {impulse_[i] - velocity_[i], impulse_[i + 1] - velocity_[i + 1]};
     const double size = std::sqrt(z[0] * z[0] + z[1] * z[1]);
-    if (isPressed && size <= friction_ * pressed) {
+    if (isPressed && size <= limit * pressed) {
+      copyRow(i);
       copyRow(i + 1);
-      copyRow(i + 2);
       continue;
     }
+    row(i)[i] = 1;
     row(i + 1)[i + 1] = 1;
-    row(i + 2)[i + 2] = 1;
     if (!isPressed) continue;
     // y_t - mu z_n d with d = z_t/|z_t|: dd = (1 - d d') dz_t / |z_t|, dz = dy - W dy.
     const double d[2] = {z[0] / size, z[1] / size};
-    const double turning = friction_ * pressed / size;
+    const double turning = limit * pressed / size;
     for (std::size_t k = 0; k < 2; ++k) {
       const double across[2] = {turning * ((k == 0 ? 1 : 0) - d[k] * d[0]),
                                 turning * ((k == 1 ? 1 : 0) - d[k] * d[1])};
-      double* const out = row(i + 1 + k);
-      const double along = friction_ * d[k];
+      double* const out = row(i + k);
+      const double along = limit * d[k];
       for (std::size_t j = 0; j < n; ++j)
-        out[j] += along * coupling(i)[j] + across[0] * coupling(i + 1)[j] +
-                  across[1] * coupling(i + 2)[j];
-      out[i] -= along * (1 - proximity_);
-      out[i + 1] -= across[0] * (1 - proximity_);
-      out[i + 2] -= across[1] * (1 - proximity_);
+        out[j] += along * coupling(normal)[j] + across[0] * coupling(i)[j] +
+                  across[1] * coupling(i + 1)[j];
+      out[normal] -= along * (1 - proximity_);
+      out[i] -= across[0] * (1 - proximity_);
+      out[i + 1] -= across[1] * (1 - proximity_);
     }
   }
 }
 
-void DirectSolver::keepImpulses(std::span<Contact* const> contacts) {
+void DirectSolver::keepImpulses(std::span<Contact* const> contacts, const Balls& balls) {
   impulses_.resize(contacts.size());
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const std::size_t i = c * rowsPerContact_;
     const auto inUnits = [&](std::size_t k) { return rows_[k].scale * impulse_[k]; };
     Impulse& impulse = impulses_[c];
+    impulse = {};
     impulse.normal = std::max(0.0, inUnits(i));  // an open one's is 0 but for rounding
-    impulse.tangent =
-        rowsPerContact_ == 1
-            ? Vec3::Zero()
-            : Vec3(inUnits(i + 1) * rows_[i + 1].push + inUnits(i + 2) * rows_[i + 2].push);
+    std::size_t next = i + 1;
+    if (friction_ > 0) {
+      impulse.tangent = inUnits(next) * rows_[next].push + inUnits(next + 1) * rows_[next + 1].push;
+      next += 2;
+    }
+    if (rollingResistance_ > 0)
+      impulse.rolling = balls.radius[contacts[c]->a] * (inUnits(next) * rows_[next].turnA +
+                                                        inUnits(next + 1) * rows_[next + 1].turnA);
   }
 }
 

@@ -8,6 +8,8 @@
 // is the same as (Alart & Curnier, "A mixed formulation for frictional contact problems prone to
 // Newton like solution methods", 1991), for z = y - w,
 //   y_n = max(0, z_n),   y_t = z_t, shortened to mu max(0, z_n) if it is longer.
+// Rolling resistance is a second cone of each contact, with the torque and the rolling part of the
+// relative angular velocity as y_t and w_t, and the lever arm for mu.
 // y and w are measured in units in which each impulse changes its own w by 1. The equations are
 // solved by Newton's method, piece by piece smooth. It starts from the impulses of the substep
 // before, which mostly leaves nothing to do.
@@ -34,12 +36,15 @@ class DirectSolver {
   struct Impulse {
     double normal = 0;            // N s, >= 0
     Vec3 tangent = Vec3::Zero();  // N s on a
+    Vec3 rolling = Vec3::Zero();  // N m s on a, of rolling resistance
   };
 
   /// Finds the impulses of these contacts, whose geometry, masses and bounceSpeed are set. The
   /// velocities and spins of `balls` already contain the impulses that the contacts hold. Changes
   /// neither. False: not found in kMostSteps; impulses() are then of no use.
-  bool solve(double friction, std::span<Contact* const> contacts, const Balls& balls);
+  /// rollingResistance: m.
+  bool solve(double friction, std::span<Contact* const> contacts, const Balls& balls,
+             double rollingResistance = 0);
 
   /// By contact of the last solve().
   std::span<const Impulse> impulses() const { return impulses_; }
@@ -60,14 +65,24 @@ class DirectSolver {
   static constexpr double kShrinking = 10;
 
  private:
-  /// One unknown: an impulse on a along `push`, which turns both balls about `turn`.
+  /// One unknown: an impulse on a along `push`, which turns the balls about turnA and turnB. Of a
+  /// torque, push is 0 and turnA and turnB are 1/radius long.
   struct Row {
     Vec3 push;
-    Vec3 turn;
-    double scale;  // sqrt(kg): impulse in N s over impulse in the solver's units
+    Vec3 turnA;
+    Vec3 turnB;
+    double
+        scale;  // sqrt(kg), of a torque sqrt(kg) m: impulse in N s over that in the solver's units
+  };
+  /// Two unknowns, from `first` on, whose size is limited by the normal one of their contact.
+  struct Cone {
+    std::size_t normal;
+    std::size_t first;
+    double limit;  // in the solver's units
   };
 
   void setUp(std::span<Contact* const> contacts, const Balls& balls);
+  double couplingOf(std::span<Contact* const> contacts, std::size_t i, std::size_t j) const;
   bool approach();
   /// Full steps may go uphill, and out of where damped ones get stuck.
   enum class Steps : std::uint8_t { Damped, Full };
@@ -76,15 +91,17 @@ class DirectSolver {
   /// Sets velocity_, residual_ and error_ of impulse_; returns the square sum of the residual.
   double evaluate();
   void linearise();
-  void keepImpulses(std::span<Contact* const> contacts);
+  void keepImpulses(std::span<Contact* const> contacts, const Balls& balls);
 
-  std::size_t rowsPerContact_ = 3;  // normal and two tangents; 1 without friction
-  double friction_ = 0;             // in the solver's units
+  std::size_t rowsPerContact_ = 3;  // normal, two tangents, two torques
+  double friction_ = 0;
+  double rollingResistance_ = 0;  // m
   double scale_ = 0;
   double error_ = 0;
   double proximity_ = 0;
   int stepsLeft_ = 0;
   std::vector<Row> rows_;
+  std::vector<Cone> cones_;
   std::vector<double> coupling_;  // by row and row: what impulse does to velocity
   std::vector<double> start_, startVelocity_, center_;
   std::vector<double> impulse_, velocity_, residual_;  // y, w and what is left of the equations

@@ -10,6 +10,19 @@
 // The terms with k are the wall's: its frame turns with the ball, and so does the spin in it.
 //   rolling  u = 0:   f = -2/7 P,       while |f| <= mu N
 //   sliding  u != 0:  f = -mu N u/|u|
+//
+// Rolling resistance of lever arm b presses ahead of the contact point: a torque of size b N in the
+// tangent plane against the spin there (Johnson, Contact Mechanics, 1985, section 9.1; model A of
+// Ai, Chen, Rotter & Ooi, Powder Technology 206 (2011) 269). It is a dry friction for the lag
+// c = v - u = r w x n: with t its torque per mass and radius, as f a vector along the surface,
+//   c' = F - P - 5/2 f + 5/2 t,   u' = P + 7/2 f - 5/2 t,   |t| <= b/r N.
+//   rolling   u = 0, c = v:  t = -b/r N v/|v|, f = -2/7 (P - 5/2 t), while |f| <= mu N
+//   sliding   u != 0 != c:   f = -mu N u/|u|,  t = -b/r N c/|c|
+//   skidding  u != 0, c = 0: f = -mu N u/|u|,  t = f - 2/5 (F - P),  while |t| <= b/r N
+//   resting   u = 0 = c:     f = t = -F,       while |F| <= mu N and |F| <= b/r N
+// On level ground a rolling ball thus slows down by 5/7 b/r N. Where b > 7/5 mu r it slides; where
+// b >= mu r friction cannot make a skidding one turn, and it slides to its rest. The spin about n
+// meets no resistance.
 #pragma once
 
 #include "contacts/path.h"
@@ -39,6 +52,10 @@ class HeldMotion {
   /// At the start of the path.
   const Held& start() const { return start_; }
 
+  /// m/s: a slip this small, of the speeds that it is made of, is over. With rolling resistance,
+  /// which brings a ball to rest, also of those that it and friction take away in a stretch.
+  double noise() const;
+
   /// One step of h seconds.
   Held step(const Held& y, double t, double h) const;
 
@@ -49,6 +66,10 @@ class HeldMotion {
   /// > 0 while the motion goes on; <= 0 where it has ended.
   double continuation(const Held& now, double t) const;
 
+  /// Where a motion has ended: true if forces have become too strong for what held the ball's slip
+  /// or its turning, false if a slip or a turning has come to its end.
+  bool isOverpowered(const Held& now, double t) const;
+
   /// True when nothing can end it.
   bool isEndless() const;
 
@@ -58,26 +79,50 @@ class HeldMotion {
  private:
   struct Rate;
 
+  /// A slip or a turning that dry friction opposes. Both and their rates are velocities along the
+  /// surface (m/s, m/s^2).
+  struct Opposed {
+    Flat first;        // direction in which it began
+    double noise = 0;  // m/s, as little of it is over
+  };
+  /// What acts on one: the pull, and the most that its friction opposes to it.
+  struct Drive {
+    Flat pull;
+    double limit = 0;
+  };
+  /// Friction along the surface, and what resistance adds to the slip (-5/2 t).
+  struct Grip {
+    Flat friction;
+    Flat resistance;
+  };
+
   Rate rateOf(const Held& now, double t) const;
-  double frictionOnSlip(const Load& load) const;
-  double smallSlip(double friction) const;
-  Flat direction(Flat slip, const Load& load) const;
+  Grip gripOn(const Held& now, const Load& load) const;
+  Flat lagOf(const Held& now) const;
+  Drive driveOfSlip(const Held& now, const Load& load) const;
+  Drive driveOfTurning(const Load& load, Flat friction) const;
+  double resistanceOnTurning(const Load& load) const;
+  double reserve(const Held& now, const Load& load) const;
+  double remainder(const Held& now) const;
+  double smallest(double limit) const;
+  Flat direction(Flat moving, const Drive& drive, const Opposed& opposed) const;
+  double longestStep(Flat moving, const Drive& drive, double noise, double whole) const;
+  void beginSlip();
+  void beginTurning();
 
   const PathModel& model_;
   const Path& path_;
   Surface surface_;
   Held start_;
   double drag_;            // 1/s
-  double noise_ = 0;       // m/s, a slip this small is over
+  double resistance_;      // b / r
   bool isPulled_ = false;  // by anything that may vary or turn
-  Flat first_;             // direction of the slip where it began
+  Opposed slip_;
+  Opposed turning_;
 };
 
 /// The load on a ball that the path's surface would hold at time t.
 Load loadOn(const PathModel& model, const Path& path, double t);
-
-/// True when friction suffices to roll.
-bool canRoll(const PathModel& model, const Load& load);
 
 /// Of the path's surface, where the ball is; to the ball.
 Vec3 normalOf(const PathModel& model, const Path& path);
@@ -85,12 +130,10 @@ Vec3 normalOf(const PathModel& model, const Path& path);
 /// v - r w x n of a ball that its surface holds, m/s.
 Vec3 slipOf(const PathModel& model, const Path& path);
 
-/// m/s: a slip this small, of the speeds that it is made of, is over.
-double slipNoise(const BallState& ball, double radius);
-
 /// A motion that turns further than this (rad) round the wall within a step goes in several pieces.
 inline constexpr double kLongestArc = 1.0 / 8;
 
 inline constexpr double kSlipRatio = 1 + 1 / kInertiaFactor;  // u' over v' of friction, 7/2
+inline constexpr double kHolding = 1 / kSlipRatio;            // friction that rolling takes over P
 
 }  // namespace wells

@@ -30,11 +30,16 @@ Rates ratesOf(const Ledger& ledger, const PathModel& model, const Path& path, co
   rates.wells = potentialRate(*model.field, now.position, t);
   rates.pull = acceleration(*model.field, now.position, t) - k * now.velocity;
   rates.torque = cross(now.position - ledger.center, rates.pull);
-  if (path.motion == Motion::Sliding) {
-    const Path there{now, t, path.radius, path.motion, path.surface};
-    rates.friction =
-        -model.friction * loadOn(model, there, t).pressing * length(slipOf(model, there));
-  }
+  const bool isSlipping = path.motion == Motion::Sliding || path.motion == Motion::Skidding;
+  const bool isResisted = model.rollingResistance > 0 &&
+                          (path.motion == Motion::Sliding || path.motion == Motion::Rolling);
+  if (!isSlipping && !isResisted) return rates;
+  const Path there{now, t, path.radius, path.motion, path.surface};
+  const double pressing = loadOn(model, there, t).pressing;
+  if (isSlipping) rates.friction = -model.friction * pressing * length(slipOf(model, there));
+  if (isResisted)
+    rates.friction -=
+        model.rollingResistance * pressing * length(cross(now.spin, normalOf(model, there)));
   return rates;
 }
 
@@ -104,7 +109,7 @@ void bookArena(const Ledger& ledger, const Contact& c, const Vec3& impulse, cons
   ImpulseBook& book = bookOf(*ledger.books, c.b);
   const Vec3 place = balls.position[c.a] + balls.radius[c.a] * c.normal;
   book.linear += impulse;
-  book.angular += cross(place - ledger.center, impulse);
+  book.angular += cross(place - ledger.center, impulse) + c.rollingImpulse;
 }
 
 void bookPath(const Ledger& ledger, const PathModel& model, const Path& path, double mass,

@@ -33,6 +33,12 @@ inline void bookTangent(const Ledger& ledger, const Contact& c, const Vec3& impu
   if (isBall(c.b)) ledger.books->shifts.angular -= c.gap * cross(c.normal, impulse);
 }
 
+/// A torque impulse (N m s) on a is given to a contact that rolls by `rolling` (rad/s).
+inline void bookRolling(const Ledger& ledger, const Vec3& torque, const Vec3& rolling,
+                        double inverseInertia) {
+  ledger.books->friction += dot(torque, rolling + (inverseInertia / 2) * torque);
+}
+
 /// The impulses of a contact between balls acted along a normal that is not their line of centres,
 /// or across it.
 void bookTurnedNormal(const Ledger& ledger, const Contact& c, const Balls& balls);

@@ -17,6 +17,10 @@ struct BallPartner {
   static Vec3 surfaceSpin(const Balls& balls, const Contact& c) {
     return balls.radius[c.b] * balls.spin[c.b];
   }
+  static Vec3 spin(const Balls& balls, const Contact& c) { return balls.spin[c.b]; }
+  static double inverseInertia(const Balls& balls, const Contact& c) {
+    return kSpinFactor * c.inverseMassB / (balls.radius[c.b] * balls.radius[c.b]);
+  }
   static Vec3 across(const Arena&, const Vec3* positions, const Contact& c) {
     return positions[c.b] - positions[c.a];
   }
@@ -28,6 +32,9 @@ struct BallPartner {
   }
   static void twist(Balls& balls, const Contact& c, const Vec3& torquePerRadius) {
     balls.spin[c.b] += (kSpinFactor * c.inverseMassB / balls.radius[c.b]) * torquePerRadius;
+  }
+  static void turn(Balls& balls, const Contact& c, const Vec3& torque) {
+    balls.spin[c.b] += inverseInertia(balls, c) * torque;
   }
   static void shift(Balls& balls, const Contact& c, const Vec3& massTimesDistance) {
     balls.position[c.b] += c.inverseMassB * massTimesDistance;
@@ -41,6 +48,8 @@ struct ArenaPartner {
   static double inverseMass(const Balls&, const Contact&) { return 0; }
   static Vec3 velocity(const Vec3*, const Contact&) { return Vec3::Zero(); }
   static Vec3 surfaceSpin(const Balls&, const Contact&) { return Vec3::Zero(); }
+  static Vec3 spin(const Balls&, const Contact&) { return Vec3::Zero(); }
+  static double inverseInertia(const Balls&, const Contact&) { return 0; }
   static Vec3 across(const Arena& arena, const Vec3* positions, const Contact& c) {
     const Vec3 d = positions[c.a] - arena.center;
     return c.b == kGround ? Vec3(0, -1, 0) : Vec3(d.x(), 0, d.z());
@@ -51,6 +60,7 @@ struct ArenaPartner {
   }
   static void push(Balls&, const Contact&, const Vec3&) {}
   static void twist(Balls&, const Contact&, const Vec3&) {}
+  static void turn(Balls&, const Contact&, const Vec3&) {}
   static void shift(Balls&, const Contact&, const Vec3&) {}
 };
 
@@ -104,6 +114,29 @@ void applyTangentImpulse(Balls& balls, const Contact& c, const Vec3& impulse) {
   const Vec3 torquePerRadius = cross(c.normal, impulse);
   balls.spin[c.a] += (kSpinFactor * c.inverseMassA / balls.radius[c.a]) * torquePerRadius;
   Partner::twist(balls, c, torquePerRadius);
+}
+
+/// 1/(kg m^2); what a torque between the two has to turn.
+template <class Partner>
+double inverseTurningInertia(const Balls& balls, const Contact& c) {
+  const double a = kSpinFactor * c.inverseMassA / (balls.radius[c.a] * balls.radius[c.a]);
+  return a + Partner::inverseInertia(balls, c);
+}
+
+/// The rolling part of the relative angular velocity (rad/s, a against b): that in the tangent
+/// plane. It does not depend on the radii, nor on how the observer turns.
+template <class Partner>
+Vec3 rollingVelocity(const Balls& balls, const Contact& c) {
+  const Vec3 turning = balls.spin[c.a] - Partner::spin(balls, c);
+  return turning - dot(turning, c.normal) * c.normal;
+}
+
+/// Gives a the impulse of a torque (N m s), and b the opposite.
+template <class Partner>
+void applyTorqueImpulse(Balls& balls, const Contact& c, const Vec3& torque) {
+  balls.spin[c.a] +=
+      (kSpinFactor * c.inverseMassA / (balls.radius[c.a] * balls.radius[c.a])) * torque;
+  Partner::turn(balls, c, -torque);
 }
 
 }  // namespace wells

@@ -44,11 +44,18 @@ double pullBound(const PathModel& model, const Path& path, const BallState& ball
   return bound;
 }
 
-/// On the ground: along it, where rolling takes 5/7 of the pull and sliding adds friction under the
-/// weight and the wells' pull.
+/// Friction over what presses, of a ball that turns or slides; rolling takes its share of the pull
+/// besides.
+double frictionBound(const PathModel& model, const Path& path) {
+  return path.motion == Motion::Rolling ? (1 - kHolding) * model.rollingResistance / path.radius
+                                        : model.friction;
+}
+
+/// On the ground: along it, where rolling takes 5/7 of the pull and friction comes under the weight
+/// and the wells' pull.
 double boundOnGround(const PathModel& model, const Path& path, double byFields) {
   const Vec3& g = model.field->gravity;
-  const double friction = path.motion == Motion::Sliding ? model.friction : 0;
+  const double friction = frictionBound(model, path);
   const double pull = byFields + std::sqrt(g.x() * g.x() + g.z() * g.z());
   return pull + friction * (byFields + std::abs(g.y()));
 }
@@ -61,9 +68,8 @@ double boundOnWall(const PathModel& model, const Path& path, const BallState& ba
   const double speed = fastest(path, ball, pull, duration);
   const double turning = speed * speed / (model.arena->radius - path.radius);
   const double slipPull = pull + turning / std::sqrt(kInertiaFactor);
-  const double friction =
-      path.motion == Motion::Sliding ? model.friction * (pull + turning) : slipPull / kSlipRatio;
-  return pull + turning + friction;
+  const double holding = path.motion == Motion::Rolling ? slipPull / kSlipRatio : 0;
+  return pull + turning + (holding + frictionBound(model, path) * (pull + turning));
 }
 
 }  // namespace
@@ -87,6 +93,7 @@ BallState stateAt(const PathModel& model, const Path& path, double t) {
 
 double accelerationBound(const PathModel& model, const Path& path, const BallState& now, double t,
                          double duration) {
+  if (path.motion == Motion::Resting) return 0;
   const double byFields = pullBound(model, path, now, t, duration);
   if (path.motion == Motion::Flying) return byFields;
   return path.surface == kGround ? boundOnGround(model, path, byFields)

@@ -14,14 +14,17 @@ struct PathModel {
   const Field* field = nullptr;
   const Integrator* integrator = nullptr;
   const Arena* arena = nullptr;
-  double drag = 1;      // velocity factor per second
-  double friction = 0;  // Coulomb's coefficient
+  double drag = 1;               // velocity factor per second
+  double friction = 0;           // Coulomb's coefficient
+  double rollingResistance = 0;  // m
 };
 
 enum class Motion : std::uint8_t {
   Flying,
-  Rolling,  // on a surface, without slip
-  Sliding   // on a surface
+  Rolling,   // on a surface, without slip
+  Sliding,   // on a surface
+  Skidding,  // slides, and rolling resistance keeps it from turning
+  Resting    // friction and rolling resistance hold it
 };
 
 /// In the place of kGround or kWall.
@@ -33,15 +36,15 @@ struct Path {
   double start = 0;   // s
   double radius = 0;  // m
   Motion motion = Motion::Flying;
-  std::uint32_t surface = kNoSurface;  // that holds a rolling or sliding ball
+  std::uint32_t surface = kNoSurface;  // that holds a ball that does not fly
 };
 
 /// The path that begins with `state` at time t. Where the ball touches the ground or the wall, does
 /// not leave it and is pressed to it, that surface holds it: its distance, its velocity towards it
-/// and, if it rolls, its spin are then made exact.
+/// and, if it rolls, its spin are then made exact. What rests stays as it is, to the bit.
 Path pathFrom(const PathModel& model, const BallState& state, double radius, double t);
 
-/// The state at t >= path.start: one flight, or one integration of the rolling or sliding ball,
+/// The state at t >= path.start: one flight, or one integration of the held ball,
 /// from `start`, so that a path has its method's order whatever time it is asked for.
 BallState stateAt(const PathModel& model, const Path& path, double t);
 

@@ -100,6 +100,7 @@ void prepare(const Settings& settings, const Arena& arena, double h, const Vec3*
   if (!c.acts || c.impact || wasImpact) {
     c.normalImpulse = 0;
     c.tangentImpulse.setZero();
+    c.rollingImpulse.setZero();
   }
 }
 
@@ -116,11 +117,22 @@ void rub(Balls& balls, const Contact& c, const Vec3& impulse, const Ledger& ledg
 }
 
 template <class Partner>
+void brake(Balls& balls, const Contact& c, const Vec3& torque, const Ledger& ledger) {
+  if (ledger)
+    bookRolling(ledger, torque, rollingVelocity<Partner>(balls, c),
+                inverseTurningInertia<Partner>(balls, c));
+  applyTorqueImpulse<Partner>(balls, c, torque);
+}
+
+template <class Partner>
 void warmStart(Balls& balls, Contact& c, const Ledger& ledger) {
   if (c.normalImpulse == 0) return;
   c.tangentImpulse -= dot(c.tangentImpulse, c.normal) * c.normal;  // the normal has turned
   pushApart<Partner>(balls, c, c.normalImpulse, ledger);
   rub<Partner>(balls, c, c.tangentImpulse, ledger);
+  if (c.rollingImpulse.isZero(0)) return;
+  c.rollingImpulse -= dot(c.rollingImpulse, c.normal) * c.normal;
+  brake<Partner>(balls, c, c.rollingImpulse, ledger);
 }
 
 template <class Partner>
@@ -143,12 +155,29 @@ void solveTangent(double friction, Balls& balls, Contact& c, const Ledger& ledge
   rub<Partner>(balls, c, change, ledger);
 }
 
+// Not within an impact: what the normal force of an instant does to the rolling is not modelled.
+template <class Partner>
+void solveRolling(double resistance, Balls& balls, Contact& c, const Ledger& ledger) {
+  if (c.impact) return;
+  Vec3 total = c.rollingImpulse -
+               rollingVelocity<Partner>(balls, c) / inverseTurningInertia<Partner>(balls, c);
+  const double limit = resistance * c.normalImpulse;
+  const double size = length(total);
+  if (size > limit) total *= limit / size;
+  const Vec3 change = total - c.rollingImpulse;
+  c.rollingImpulse = total;
+  brake<Partner>(balls, c, change, ledger);
+}
+
 template <class Partner>
 void give(const DirectSolver::Impulse& total, Balls& balls, Contact& c, const Ledger& ledger) {
   pushApart<Partner>(balls, c, total.normal - c.normalImpulse, ledger);
   rub<Partner>(balls, c, total.tangent - c.tangentImpulse, ledger);
   c.normalImpulse = total.normal;
   c.tangentImpulse = total.tangent;
+  if (!total.rolling.isZero(0) || !c.rollingImpulse.isZero(0))
+    brake<Partner>(balls, c, total.rolling - c.rollingImpulse, ledger);
+  c.rollingImpulse = total.rolling;
   c.isSolved = true;
 }
 
@@ -213,14 +242,14 @@ void findSmallIslands(const ContactLists& contacts, std::size_t ballCount,
 }
 
 /// Islands that are small enough get all their impulses at once.
-ResolvedCounts solveSmallIslands(double friction, Balls& balls, ContactWorkspace& workspace,
-                                 const Ledger& ledger) {
+ResolvedCounts solveSmallIslands(const Settings& settings, Balls& balls,
+                                 ContactWorkspace& workspace, const Ledger& ledger) {
   ResolvedCounts counts;
   for (std::size_t n = 0; n < workspace.islands.count(); ++n) {
     const auto island = workspace.islands.contacts(n);
-    // One contact alone is solved by one pass.
-    if (island.size() < 2 || !island[0]->isSmall) continue;
-    if (!workspace.direct.solve(friction, island, balls)) {
+    // One contact alone is solved by one pass, unless friction and resistance share its torque.
+    if ((island.size() < 2 && settings.rollingResistance == 0) || !island[0]->isSmall) continue;
+    if (!workspace.direct.solve(settings.friction, island, balls, settings.rollingResistance)) {
       ++counts.unsolved;
       continue;
     }
@@ -288,12 +317,14 @@ ResolvedCounts resolveContacts(const Settings& settings, const Arena& arena, dou
     prepare<Partner>(settings, arena, h, velocityBefore, balls, c);
   });
   forEach(contacts, [&]<class Partner>(Contact& c) { warmStart<Partner>(balls, c, ledger); });
-  const ResolvedCounts counts = solveSmallIslands(settings.friction, balls, workspace, ledger);
+  const ResolvedCounts counts = solveSmallIslands(settings, balls, workspace, ledger);
   for (int pass = 0; pass < settings.iterations; ++pass)
     forEach(contacts, [&]<class Partner>(Contact& c) {
       if (!c.acts || c.isSolved) return;
       solveNormal<Partner>(balls, c, ledger);
       if (settings.friction > 0) solveTangent<Partner>(settings.friction, balls, c, ledger);
+      if (settings.rollingResistance > 0)
+        solveRolling<Partner>(settings.rollingResistance, balls, c, ledger);
     });
   forEach(contacts, [&]<class Partner>(Contact& c) {
     if (!c.isSolved) c.share = shareAlone(c, balls);
@@ -312,7 +343,7 @@ ResolvedCounts resolveContacts(const Settings& settings, const Arena& arena, dou
   const Placement pushed = placement();
   const double both = impulses.contacts + impulses.friction + shifted.potential - solved.potential;
   impulses.contacts = normals;
-  impulses.friction = settings.friction > 0 ? both - normals : 0;
+  impulses.friction = settings.friction > 0 || settings.rollingResistance > 0 ? both - normals : 0;
   // Without friction, the rest is by how much the pull of the fields varies over the shifts.
   impulses.pushOut = pushed.potential - shifted.potential + both - normals - impulses.friction;
   impulses.shifts.angular += pushed.angular - solved.angular;

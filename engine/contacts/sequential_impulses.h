@@ -48,6 +48,10 @@ struct ResolvedCounts {
 ///    rests, and so does what rested before. Where no force acts, every contact bounces;
 ///  - Coulomb friction with spin: the tangent impulse brings the surfaces to rest if
 ///    mu times the normal impulse suffices, else it has that size;
+///  - rolling resistance, but for contacts that bounce: a torque, equal and opposite on both,
+///  brings
+///    the rolling part of the relative angular velocity to rest if its impulse need not be more
+///    than settings.rollingResistance times the normal impulse, else it has that size;
 /// and positions so that a force of contact acts over the substep as a constant force would, and
 /// what overlap remains is pushed out. Push-out changes no velocity.
 /// `booking` may be null. Starts from the impulses that `contacts` hold from the substep before

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "contacts/held_motion.h"
+#include "contacts/motion_choice.h"
 
 namespace wells {
 namespace {
@@ -59,10 +60,31 @@ bool isHeldBy(const PathModel& model, const Path& path) {
   return loadOn(model, path, path.start).pressing > 0;
 }
 
+Held heldAt(const HeldMotion& motion, const Path& path, double t) {
+  Held now = motion.start();
+  double left = t - path.start;
+  double at = path.start;
+  while (left > 0) {
+    const double h = std::min(left, motion.longestStep(now, at));
+    now = motion.step(now, at, h);
+    at += h;
+    left -= h;
+  }
+  return now;
+}
+
+bool hasLostGrip(const PathModel& model, const Path& path, double end) {
+  if (model.rollingResistance == 0) return path.motion == Motion::Rolling;
+  const HeldMotion motion(model, path);
+  return motion.isOverpowered(heldAt(motion, path, end), end);
+}
+
 void begin(Motion motion, const PathModel& model, Held held, Path& path) {
   path.motion = motion;
-  // The last of the slip goes by the impulse that stops it.
+  if (motion == Motion::Resting && path.state.velocity.isZero(0)) return;  // as before
+  // The last of the slip, or of the turning, goes by the impulse that stops it.
   if (motion == Motion::Rolling) held.velocity = held.velocity - (1 / kSlipRatio) * held.slip;
+  if (motion == Motion::Resting) held.velocity = held.slip = {};
   path.state = HeldMotion(model, path).ballOf(held);
 }
 
@@ -79,25 +101,13 @@ std::uint32_t holderOf(const PathModel& model, Path path) {
 
 void holdOn(const PathModel& model, Path& path) {
   const HeldMotion arriving(model, path);
-  const Held held = arriving.start();
-  const double slip = length(held.slip);
-  const bool rolls = model.friction > 0 && slip <= slipNoise(path.state, path.radius) &&
-                     canRoll(model, arriving.loadOn(held, path.start));
-  begin(rolls ? Motion::Rolling : Motion::Sliding, model, held, path);
+  begin(motionOf(model, path, arriving), model, arriving.start(), path);
 }
 
 BallState heldStateAt(const PathModel& model, const Path& path, double t) {
+  if (path.motion == Motion::Resting) return path.state;
   const HeldMotion motion(model, path);
-  Held now = motion.start();
-  double left = t - path.start;
-  double at = path.start;
-  while (left > 0) {
-    const double h = std::min(left, motion.longestStep(now, at));
-    now = motion.step(now, at, h);
-    at += h;
-    left -= h;
-  }
-  return motion.ballOf(now);
+  return motion.ballOf(heldAt(motion, path, t));
 }
 
 double endOfMotion(const PathModel& model, const Path& path, double until) {
@@ -129,8 +139,9 @@ Path pathAfter(const PathModel& model, const Path& path, double end) {
   const HeldMotion motion(model, next);
   if (!(motion.loadOn(motion.start(), end).pressing > 0)) return next;
   // Where the grip has ended, rounding may say that it just suffices.
-  if (path.motion == Motion::Rolling)
-    begin(Motion::Sliding, model, motion.start(), next);
+  if (hasLostGrip(model, path, end))
+    begin(motionWithoutGrip(model, path, motion.loadOn(motion.start(), end)), model, motion.start(),
+          next);
   else
     holdOn(model, next);
   return next;

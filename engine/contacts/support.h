@@ -11,14 +11,14 @@ namespace wells {
 /// leaves nor approaches, and is pressed to. None where both do: in the corner it has two contacts.
 std::uint32_t holderOf(const PathModel& model, Path path);
 
-/// Makes such a path, with its surface set, one of a rolling or sliding ball.
+/// Makes such a path, with its surface set, one of a held ball.
 void holdOn(const PathModel& model, Path& path);
 
-/// stateAt() of a rolling or sliding ball.
+/// stateAt() of a held ball.
 BallState heldStateAt(const PathModel& model, const Path& path, double t);
 
-/// The first time in (path.start, until] at which a rolling or sliding ball begins to slide, to
-/// roll or to lift off, or infinity. What happens and is undone again within one stretch of the
+/// The first time in (path.start, until] at which a held ball goes over to another motion or lifts
+/// off, or infinity. What happens and is undone again within one stretch of the
 /// field (see Field::stretch) is not seen.
 double endOfMotion(const PathModel& model, const Path& path, double until);
 

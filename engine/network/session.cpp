@@ -111,6 +111,7 @@ void Session::applySettings(World& world) const {
   world.settings.gravity = settings.gravity;
   world.settings.elasticity = settings.elasticity;
   world.settings.friction = settings.friction;
+  world.settings.rollingResistance = settings.rollingResistance;
 }
 
 double Session::digestRound() const {

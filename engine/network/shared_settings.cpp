@@ -13,6 +13,7 @@ namespace {
 constexpr double kMaxRate = 10'000;  // Hz
 constexpr double kMinRate = 10;      // Hz; peers speak at each step, and leases are short
 constexpr double kMaxFriction = 100;
+constexpr double kMaxRollingResistance = 1e6;  // m
 constexpr std::int64_t kMaxResets = 1'000'000'000;
 
 template <class T>
@@ -38,6 +39,7 @@ constexpr NumberRange kNumbers[] = {
     {setting::kSimulationRate, kMinRate, kMaxRate, "10 to 10000 Hz"},
     {setting::kElasticity, 0, 1, "0 to 1"},
     {setting::kFriction, 0, kMaxFriction, "0 to 100"},
+    {setting::kRollingResistance, 0, kMaxRollingResistance, "0 to 1e6 m"},
 };
 
 std::string_view valueInForce(const SharedSettings& shared, std::string_view key,
@@ -129,6 +131,8 @@ Settings applied(const SharedSettings& shared, const Settings& world, std::int64
     settings.elasticity = *e;
   if (const auto mu = number<double>(valueInForce(shared, setting::kFriction, step)))
     settings.friction = *mu;
+  if (const auto arm = number<double>(valueInForce(shared, setting::kRollingResistance, step)))
+    settings.rollingResistance = *arm;
   return settings;
 }
 

@@ -27,6 +27,7 @@ inline constexpr std::size_t kMaxSharedSettings = 64;  // more are refused
 ///   Gravity         on, off or reversed, compared with the world's own
 ///   Elasticity      0 .. 1
 ///   Friction        0 .. 100
+///   RollingResistance  m, 0 .. 1e6
 ///   Reset           a count: the world starts over until it has been reset so often
 namespace setting {
 inline constexpr std::string_view kPause = "Pause";
@@ -34,6 +35,7 @@ inline constexpr std::string_view kSimulationRate = "SimulationRate";
 inline constexpr std::string_view kGravity = "Gravity";
 inline constexpr std::string_view kElasticity = "Elasticity";
 inline constexpr std::string_view kFriction = "Friction";
+inline constexpr std::string_view kRollingResistance = "RollingResistance";
 inline constexpr std::string_view kReset = "Reset";
 }  // namespace setting
 

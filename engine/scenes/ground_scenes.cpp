@@ -21,6 +21,14 @@ World sliding(double backspin) {
   return world;
 }
 
+World underWell(double distance) {
+  World world;
+  world.settings.friction = 0.3;
+  world.tracks.push_back({.keyframes = {{0, {0, 0.5, 0}, 8}}, .softening = 2});
+  addUnitBall(world, {distance, 0.5, 0});
+  return world;
+}
+
 }  // namespace
 
 World makeElasticBounce(std::size_t, std::uint64_t) {
@@ -48,10 +56,18 @@ World makeBackspinReturn(std::size_t, std::uint64_t) {
 }
 
 World makeRollingUnderWell(std::size_t, std::uint64_t) {
-  World world;
-  world.settings.friction = 0.3;
-  world.tracks.push_back({.keyframes = {{0, {0, 0.5, 0}, 8}}, .softening = 2});
-  addUnitBall(world, {0.1, 0.5, 0});
+  return underWell(0.1);
+}
+
+World makeRollingStops(std::size_t, std::uint64_t) {
+  World world = sliding(0);
+  world.settings.rollingResistance = 0.1;
+  return world;
+}
+
+World makeStuckUnderWell(std::size_t, std::uint64_t) {
+  World world = underWell(1);
+  world.settings.rollingResistance = 0.01;
   return world;
 }
 

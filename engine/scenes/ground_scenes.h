@@ -33,6 +33,15 @@ World makeBackspinReturn(std::size_t balls, std::uint64_t seed);
 /// centre: rolls to and fro with 5/7 of the well's pull.
 World makeRollingUnderWell(std::size_t balls, std::uint64_t seed);
 
+/// mu = 0.3, rolling resistance b = 0.1 m: starts on the ground with 5 m/s along x and no spin;
+/// rolls at 2.27 m/s after v / ((7/2 mu - 5/2 b/r) g) = 0.927 s, slows down by 5/7 b/r g and rests
+/// from 2.548 s on.
+World makeRollingStops(std::size_t balls, std::uint64_t seed);
+
+/// As makeRollingUnderWell, but 1 m from the well and with a rolling resistance of 0.01 m: rolls to
+/// -0.513 m and back to 0.101 m, where the well cannot move it any more.
+World makeStuckUnderWell(std::size_t balls, std::uint64_t seed);
+
 /// No gravity, e = 0.8, mu = 0.3: two balls, far apart, come down to the ground at 5 m/s, 60 and 65
 /// degrees from the normal. The first sticks at the impact, the second slides through it.
 World makeObliqueGround(std::size_t balls, std::uint64_t seed);

@@ -24,7 +24,7 @@ struct Books {
   // Contacts, and contacts and friction together, add nothing beyond rounding, unless substeps are
   // too few for the world (see tests/stress).
   double contacts = 0;  // normal impulses, and positions shifted by lasting ones: restitution
-  double friction = 0;  // tangent impulses, and sliding
+  double friction = 0;  // tangent impulses, sliding, and rolling resistance
   double drag = 0;      // never > 0
   double wells = 0;     // wells that move, and fields that are switched or change their strength
   double pushOut = 0;   // potential energy that correcting positions changed: pushing out overlaps

@@ -42,6 +42,8 @@ struct Settings {
   double drag = 1;                   // velocity factor per second, in (0, 1]; 1: none
   double elasticity = 0.8;           // coefficient of restitution, 0 .. 1
   double friction = 0.3;             // Coulomb's coefficient, >= 0
+  double rollingResistance = 0;      // m, >= 0; at a contact pressed by the force N, a torque of up
+                                     // to this times N opposes the rolling
 
   // Method.
   std::string integrator = "pefrl";  // a name of flight/integrators.h

@@ -24,13 +24,14 @@ void transferVectors(auto& bytes, std::string_view name, auto& vectors) {
 }
 
 void transferSettings(auto& bytes, auto& settings) {
-  auto& [dt, gravity, drag, elasticity, friction, integrator, contactMethod, substeps, iterations,
-         mostImpacts] = settings;
+  auto& [dt, gravity, drag, elasticity, friction, rollingResistance, integrator, contactMethod, substeps,
+         iterations, mostImpacts] = settings;
   bytes.field(dt);
   bytes.field(gravity);
   bytes.field(drag);
   bytes.field(elasticity);
   bytes.field(friction);
+  bytes.field(rollingResistance);
   bytes.field(integrator);
   bytes.choice("settings.contactMethod", contactMethod, kContactMethodNames.size());
   bytes.field(substeps);
@@ -82,16 +83,17 @@ void transferWorld(auto& bytes, auto& world) {
 }
 
 void transferContact(auto& bytes, auto& contact) {
-  auto& [a, b, impact, normalImpulse, tangentImpulse] = contact;
+  auto& [a, b, impact, normalImpulse, tangentImpulse, rollingImpulse] = contact;
   bytes.field(a);
   bytes.field(b);
   bytes.choice("impact of a contact", impact, 2);
   bytes.field(normalImpulse);
   bytes.field(tangentImpulse);
+  bytes.field(rollingImpulse);
 }
 
 void transferMemory(auto& bytes, auto& memory) {
-  constexpr std::size_t kContactSize = 4 + 4 + 1 + 8 + 24;
+  constexpr std::size_t kContactSize = 4 + 4 + 1 + 8 + 24 + 24;
   auto& [substep, ballContacts, arenaContacts, inSubsteps, carried] = memory;
   const auto transfer = [&](auto& contact) { transferContact(bytes, contact); };
   bytes.field(substep);

@@ -45,6 +45,8 @@ void requireSettings(const Settings& settings) {
           settings.elasticity, "a number 0 to 1");
   require(settings.friction >= 0 && std::isfinite(settings.friction), "settings.friction",
           settings.friction, "a finite number from 0");
+  require(settings.rollingResistance >= 0 && std::isfinite(settings.rollingResistance),
+          "settings.rollingResistance", settings.rollingResistance, "a finite number from 0");
   require(settings.substeps >= 1, "settings.substeps", settings.substeps, "1 or more");
   require(settings.iterations >= 1, "settings.iterations", settings.iterations, "1 or more");
   require(settings.mostImpacts >= 1, "settings.mostImpacts", settings.mostImpacts, "1 or more");

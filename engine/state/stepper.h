@@ -41,6 +41,7 @@ struct StepperMemory {
     bool impact = false;
     double normalImpulse = 0;            // N s
     Vec3 tangentImpulse = Vec3::Zero();  // N s
+    Vec3 rollingImpulse = Vec3::Zero();  // N m s
   };
   double substep = 0;                    // s, in which they arose; 0: none did
   std::vector<Contact> ballContacts;     // by (a, b)

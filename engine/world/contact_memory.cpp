@@ -7,7 +7,7 @@ std::vector<StepperMemory::Contact> saved(const std::vector<Contact>& contacts) 
   std::vector<StepperMemory::Contact> list;
   list.reserve(contacts.size());
   for (const Contact& c : contacts)
-    list.push_back({c.a, c.b, c.impact, c.normalImpulse, c.tangentImpulse});
+    list.push_back({c.a, c.b, c.impact, c.normalImpulse, c.tangentImpulse, c.rollingImpulse});
   return list;
 }
 
@@ -19,7 +19,8 @@ std::vector<Contact> restored(const std::vector<StepperMemory::Contact>& list) {
                         .b = c.b,
                         .impact = c.impact,
                         .normalImpulse = c.normalImpulse,
-                        .tangentImpulse = c.tangentImpulse});
+                        .tangentImpulse = c.tangentImpulse,
+                        .rollingImpulse = c.rollingImpulse});
   return contacts;
 }
 

@@ -45,12 +45,14 @@ class ContactMemory {
       c.impact = match->impact;
       c.normalImpulse = scale * match->normalImpulse;
       c.tangentImpulse = scale * match->tangentImpulse;
+      c.rollingImpulse = scale * match->rollingImpulse;
     }
   }
 
   /// Not so beside a ball whose state stopped being finite.
   static bool isFiniteImpulse(const Contact& c) {
-    return std::isfinite(c.normalImpulse) && isFinite(c.tangentImpulse);
+    return std::isfinite(c.normalImpulse) && isFinite(c.tangentImpulse) &&
+           isFinite(c.rollingImpulse);
   }
 
   std::vector<Contact> balls_;

@@ -16,8 +16,12 @@ namespace wells {
 /// What all islands of a step share.
 struct StepInput {
   StepInput(const World& world, const Field& field, const Integrator& integrator)
-      : settings(world.settings),
-        model{&field, &integrator, &world.arena, settings.drag, settings.friction} {}
+      : settings(world.settings), model{&field,
+                                        &integrator,
+                                        &world.arena,
+                                        settings.drag,
+                                        settings.friction,
+                                        settings.rollingResistance} {}
 
   const Settings& settings;
   PathModel model;

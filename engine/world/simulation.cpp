@@ -209,9 +209,12 @@ class Simulation : public Stepper {
             ++counts_.latePairs;
         });
     // Where friction has just been switched off, no solver would ever take these back.
-    if (world.settings.friction == 0)
+    const auto forget = [&](Vec3 Contact::*impulse) {
       for (auto* contacts : {&plan_.ballContacts, &plan_.arenaContacts})
-        for (Contact& c : *contacts) c.tangentImpulse.setZero();
+        for (Contact& c : *contacts) (c.*impulse).setZero();
+    };
+    if (world.settings.friction == 0) forget(&Contact::tangentImpulse);
+    if (world.settings.rollingResistance == 0) forget(&Contact::rollingImpulse);
   }
 
   void planFlights(const World& world) {

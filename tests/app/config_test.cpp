@@ -113,6 +113,8 @@ TEST(ConfigFile, RefusesEveryBadValue) {
       {"BallsFile=", "missing"},
       {"Elasticity=1.5", "out of range"},
       {"Friction=-0.1", "out of range"},
+      {"RollingResistance=-0.001", "out of range"},
+      {"RollingResistance=inf", "not a finite number"},
       {"Gravity=down", "not a number"},
       {"Drag=0", "out of range"},
       {"Drag=1.1", "out of range"},

@@ -73,11 +73,13 @@ TEST_F(SessionSettings, AJoinerKnowsThemBeforeItTakesPart) {
   start(2);
   Operator(group_).set("Friction", "0.75", furthest());
   Operator(group_).set("Elasticity", "0.125", furthest());
+  Operator(group_).set("RollingResistance", "0.0625", furthest());
   group_.run(1);
   TestPeer& late = group_.add(testOptions(3));
   ASSERT_TRUE(group_.runUntil([&] { return late.session->phase() == Phase::Active; }, 10));
   EXPECT_EQ(late.world.settings.friction, 0.75);
   EXPECT_EQ(late.world.settings.elasticity, 0.125);
+  EXPECT_EQ(late.world.settings.rollingResistance, 0.0625);
 }
 
 TEST_F(SessionSettings, OfTwoAtOnceAllTakeTheSame) {

@@ -29,10 +29,13 @@ TEST(SharedSettings, AValueHoldsFromItsStepOn) {
   shared.learn(setting::kGravity, value("reversed", 1, 1, 100));
   shared.learn(setting::kElasticity, value("0.25", 1, 1, 50));
   shared.learn(setting::kFriction, value("0", 1, 1, 50));
+  shared.learn(setting::kRollingResistance, value("0.002", 1, 1, 60));
   Settings world;
   EXPECT_EQ(applied(shared, world, 49).elasticity, world.elasticity);
   EXPECT_EQ(applied(shared, world, 50).elasticity, 0.25);
   EXPECT_EQ(applied(shared, world, 50).friction, 0);
+  EXPECT_EQ(applied(shared, world, 59).rollingResistance, world.rollingResistance);
+  EXPECT_EQ(applied(shared, world, 60).rollingResistance, 0.002);
   EXPECT_EQ(applied(shared, world, 99).gravity, world.gravity);
   EXPECT_EQ(applied(shared, world, 100).gravity, Vec3(-world.gravity));
   shared.learn(setting::kGravity, value("off", 2, 1, 120));
@@ -119,6 +122,7 @@ TEST(SharedSettings, RefusesWhatIsNotAllowedAndSaysWhatIs) {
                                                         {"Elasticity", "0"},
                                                         {"Elasticity", "1"},
                                                         {"Friction", "0.3"},
+                                                        {"RollingResistance", "0"},
                                                         {"Reset", "1"}})
     EXPECT_EQ(checkSessionSetting(key, good), std::nullopt) << key << "=" << good;
   for (const auto& [key, bad] :
@@ -133,6 +137,8 @@ TEST(SharedSettings, RefusesWhatIsNotAllowedAndSaysWhatIs) {
                                                         {"Elasticity", "0.5x"},
                                                         {"Friction", "inf"},
                                                         {"Friction", "-1"},
+                                                        {"RollingResistance", "-1e-9"},
+                                                        {"RollingResistance", "nan"},
                                                         {"Reset", "0"},
                                                         {"Reset", "1.5"},
                                                         {"Reset", "99999999999999999999"}}) {

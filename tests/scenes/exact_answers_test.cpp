@@ -131,6 +131,37 @@ TEST(ExactAnswers, RollingUnderAWell) {
   expectAnswer("rolling-well", {ball.x}, 1e-13);
 }
 
+// With beta = b/r: while it slides v' = -mu g and the slip's rate is (5/2 beta - 7/2 mu) g;
+// rolling, v' = -5/7 beta g.
+TEST(ExactAnswers, RollingStops) {
+  const oracle::Real g = 9.81L, mu = 0.3L, beta = 0.1L / 0.5L, v0 = 5;
+  const oracle::Real t1 = v0 / ((3.5L * mu - 2.5L * beta) * g), v1 = v0 - mu * g * t1;
+  const oracle::Real braking = 5 * beta * g / 7;
+  EXPECT_LT(t1 + v1 / braking, findAccuracyCase("rolling-stops").duration);
+  expectAnswer("rolling-stops", {{(v0 + v1) / 2 * t1 + v1 * v1 / (2 * braking), 0.5L, 0}});
+}
+
+// From one turning point to the next the well's work S/sqrt(x^2 + 4) goes into beta g times the
+// way; it rests at the first where the pull is no more than beta g. The swings last less than 4 s
+// each.
+TEST(ExactAnswers, StuckUnderAWell) {
+  const oracle::Real hold = 9.81L * 0.01L / 0.5L;
+  const auto work = [](oracle::Real x) { return 8 / std::sqrt(x * x + 4); };
+  oracle::Real x = 1;
+  int swings = 0;
+  for (; 8 * std::abs(x) / std::pow(x * x + 4, 1.5L) > hold; ++swings) {
+    const oracle::Real side = x > 0 ? -1 : 1;
+    oracle::Real low = 1e-3L, high = 3;  // m, of the way
+    for (int i = 0; i < 200; ++i) {
+      const oracle::Real way = (low + high) / 2;
+      (work(x + side * way) - work(x) > hold * way ? low : high) = way;
+    }
+    x += side * low;
+  }
+  EXPECT_EQ(swings, 2);
+  expectAnswer("stuck-under-a-well", {{x, 0.5L, 0}});
+}
+
 // e = 0.05 < 7 - 4 sqrt(3): the middle of three closes on both others for ever faster impacts. The
 // sum of momenta is shared: v = 1/3 each; the centre of mass has moved on by t / 3 from 5.5 / 3,
 // and they stay 1 m apart.

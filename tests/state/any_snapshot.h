@@ -39,7 +39,8 @@ inline StepperMemory::Contact anyContact(Random& random, std::uint32_t a, std::u
           .b = b,
           .impact = random.below(2) == 1,
           .normalImpulse = anyDouble(random),
-          .tangentImpulse = anyVector(random)};
+          .tangentImpulse = anyVector(random),
+          .rollingImpulse = anyVector(random)};
 }
 
 inline Snapshot anySnapshot(std::uint64_t seed, std::size_t balls) {
@@ -52,6 +53,7 @@ inline Snapshot anySnapshot(std::uint64_t seed, std::size_t balls) {
       .drag = random.uniform(0.1, 0.9),
       .elasticity = random.uniform(0.1, 0.7),
       .friction = random.uniform(1, 2),
+      .rollingResistance = random.uniform(3, 4),
       .integrator = "integrator-" + std::to_string(random.below(1000)),
       .contactMethod = random.below(2) == 1 ? ContactMethod::Exact : ContactMethod::Substep,
       .substeps = static_cast<int>(5 + random.below(100)),
@@ -103,7 +105,8 @@ inline bool same(const WellKeyframe& a, const WellKeyframe& b) {
 
 inline bool same(const StepperMemory::Contact& a, const StepperMemory::Contact& b) {
   return a.a == b.a && a.b == b.b && a.impact == b.impact &&
-         same(a.normalImpulse, b.normalImpulse) && same(a.tangentImpulse, b.tangentImpulse);
+         same(a.normalImpulse, b.normalImpulse) && same(a.tangentImpulse, b.tangentImpulse) &&
+         same(a.rollingImpulse, b.rollingImpulse);
 }
 
 inline bool same(const WellTrack& a, const WellTrack& b);
@@ -126,6 +129,7 @@ inline void expectSame(const Snapshot& a, const Snapshot& b) {
   EXPECT_TRUE(same(s.drag, t.drag));
   EXPECT_TRUE(same(s.elasticity, t.elasticity));
   EXPECT_TRUE(same(s.friction, t.friction));
+  EXPECT_TRUE(same(s.rollingResistance, t.rollingResistance));
   EXPECT_EQ(s.integrator, t.integrator);
   EXPECT_EQ(s.contactMethod, t.contactMethod);
   EXPECT_EQ(s.substeps, t.substeps);

@@ -1,7 +1,8 @@
 // An independent path of one solid sphere that the ground y = 0, or the wall about the axis x = z =
 // 0, holds, under gravity and softened wells at rest: velocity and spin by Newton and Euler in the
-// lab frame, friction by Coulomb, in steps of textbook RK4 so small that their error does not
-// count. Uses nothing of engine/.
+// lab frame, friction by Coulomb, rolling resistance as a torque of its lever arm times the normal
+// force, in steps of textbook RK4 so small that their error does not count. Uses nothing of
+// engine/.
 #pragma once
 
 #include <algorithm>
@@ -22,20 +23,30 @@ enum class Support { Ground, Wall };
 
 class HeldBall {
  public:
-  HeldBall(Support support, std::vector<SoftWell> wells, Real gravity, Real mu)
-      : support_(support), wells_(std::move(wells)), gravity_(gravity), mu_(mu) {}
+  HeldBall(Support support, std::vector<SoftWell> wells, Real gravity, Real mu, Real arm = 0)
+      : support_(support), wells_(std::move(wells)), gravity_(gravity), mu_(mu), arm_(arm) {}
 
   /// Moves the ball, which touches its support and moves along it, on by `duration` (s) or until
   /// nothing presses it any more.
   HeldUntil move(Body& ball, Real duration) {
     rolls_ = size(slip(ball)) < kNoSlip && grips(ball);
     for (Real now = 0; now < duration;) {
-      const P f = slipForce(ball), u = slip(ball);
+      if (arm_ > 0 && rests(ball)) {
+        ball.v = {};
+        return {false, duration};
+      }
+      const P f = slipForce(ball) + resisted(ball), u = slip(ball);
       Real h = std::min(kStep, duration - now);
       // The direction of a slip that begins or ends turns ever faster: steps are ever shorter.
       if (!rolls_ && mu_ > 0 && size(u) >= kNoSlip)
         h = std::min(h, (grows(ball, f) ? std::max(size(u), kFollows) : size(u)) /
                             (35 * mu_ * pressing(ball)));
+      const Real c = size(lag(ball)), braking = 2.5L * arm_ / ball.r * pressing(ball);
+      if (braking > 0 && c >= kNoSlip)
+        h = std::min(h, (size(tangent(force(ball.x), normal(ball.x))) > braking / 2.5L
+                             ? std::max(c, kFollows)
+                             : c) /
+                            (10 * braking));
       const Body next = step(ball, h);
       if (!isPressed(next)) {
         now += goTo(ball, h, [&](const Body& b) { return isPressed(b); });
@@ -56,7 +67,7 @@ class HeldBall {
  private:
   static constexpr Real kStep = 2e-4L;     // s
   static constexpr Real kNoSlip = 1e-13L;  // m/s
-  static constexpr Real kFollows = 1e-6L;  // m/s, below which a slip that begins follows the pull
+  static constexpr Real kFollows = 1e-9L;  // m/s, below which a slip that begins follows the pull
 
   /// Per mass.
   P force(const P& x) const {
@@ -102,12 +113,36 @@ class HeldBall {
     return along - tangent(b.r * outer(b.w, turning), n);
   }
 
+  /// r w x n, how fast the centre would move if the ball rolled.
+  P lag(const Body& b) const { return b.r * outer(b.w, normal(b.x)); }
+
+  /// On the ground alone: where friction cannot turn it against the resistance.
+  bool isLocked(const Body& b) const {
+    return !rolls_ && arm_ >= mu_ * b.r && size(lag(b)) < kNoSlip;
+  }
+
+  /// 5/2 b/r N to the lag, by which rolling resistance adds to the slip.
+  P resisted(const Body& b) const {
+    if (arm_ == 0) return {};
+    const P c = lag(b), n = normal(b.x), f = tangent(force(b.x), n);
+    const Real most = 2.5L * arm_ / b.r * pressing(b);
+    const bool follows = size(c) < kNoSlip || (size(c) < kFollows && size(f) > most / 2.5L);
+    const P ahead = !follows ? c : rolls_ ? f : slip(b);
+    return size(ahead) > 0 ? most / size(ahead) * ahead : P{};
+  }
+
+  bool rests(const Body& b) const {
+    const P f = tangent(force(b.x), normal(b.x));
+    return size(lag(b)) < kNoSlip && size(slip(b)) < kNoSlip &&
+           size(f) <= std::min(mu_, arm_ / b.r) * pressing(b);
+  }
+
   struct Rate {
     P x, v, w;
   };
 
   Rate rate(const Body& b) const {
-    const P n = normal(b.x), pull = slipForce(b);
+    const P n = normal(b.x), braking = resisted(b), pull = slipForce(b) + braking;
     P friction;  // per mass
     if (rolls_) {
       friction = -2.0L / 7 * pull;
@@ -117,8 +152,8 @@ class HeldBall {
       const P direction = follows ? 1 / size(pull) * pull : 1 / size(u) * u;
       friction = -mu_ * pressing(b) * direction;
     }
-    return {b.v, force(b.x) + pressing(b) * n + friction,
-            2.5L / (b.r * b.r) * outer(-b.r * n, friction)};
+    const P turned = 2.5L / (b.r * b.r) * outer(-b.r * n, friction) - 1 / b.r * outer(n, braking);
+    return {b.v, force(b.x) + pressing(b) * n + friction, isLocked(b) ? P{} : turned};
   }
 
   Body step(const Body& b, Real h) const {
@@ -141,7 +176,9 @@ class HeldBall {
 
   bool isPressed(const Body& b) const { return pressing(b) > 0; }
 
-  bool grips(const Body& b) const { return 2.0L / 7 * size(slipForce(b)) <= mu_ * pressing(b); }
+  bool grips(const Body& b) const {
+    return 2.0L / 7 * size(slipForce(b) + resisted(b)) <= mu_ * pressing(b);
+  }
 
   /// Moves the ball to the last time within h at which `lasts`, and returns it.
   template <class Lasts>
@@ -160,6 +197,7 @@ class HeldBall {
   std::vector<SoftWell> wells_;
   Real gravity_;
   Real mu_;
+  Real arm_;  // m, of rolling resistance
   bool rolls_ = false;
 };
 

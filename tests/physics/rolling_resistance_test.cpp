@@ -1,0 +1,340 @@
+// Rolling resistance: a ball on ground or wall that it slows down, stops and holds, against closed
+// forms and independent paths.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scenes/catalogue.h"
+#include "scenes/exact_answers.h"
+#include "scenes/unit_balls.h"
+#include "support/held_ball.h"
+#include "support/oracle_world.h"
+#include "support/order.h"
+#include "support/step_errors.h"
+#include "world/measures.h"
+
+namespace wells {
+namespace {
+
+constexpr double kG = 9.81;  // m/s^2
+constexpr double kR = 0.5;   // m
+const Vec3 kStart(1, kR, -2);
+const Vec3 kAhead(0.6, 0, 0.8);
+
+/// On the ground, moving ahead at `speed` and spinning as if it rolled at `rolling` (m/s).
+World onGround(double friction, double resistance, double speed, double rolling) {
+  World world;
+  world.settings.friction = friction;
+  world.settings.rollingResistance = resistance;
+  addUnitBall(world, kStart, speed * kAhead, rolling / kR * cross(Vec3(0, 1, 0), kAhead));
+  return world;
+}
+
+/// m, how far it has come.
+double way(const World& world) {
+  return dot(world.balls.position[0] - kStart, kAhead);
+}
+
+void expectBitsKept(World& world, double duration) {
+  const BallState rest = world.balls.state(0);
+  EXPECT_EQ(rest.velocity, Vec3(0, 0, 0));
+  const RunCounts counts = runFor(world, duration);
+  EXPECT_EQ(counts.substepBalls, 0);
+  EXPECT_EQ(world.balls.position[0], rest.position);
+  EXPECT_EQ(world.balls.velocity[0], rest.velocity);
+  EXPECT_EQ(world.balls.spin[0], rest.spin);
+}
+
+// Newton: v' = -f. Euler: 2/5 r w' = f - b/r g. Rolling, v = r w: f = 5/7 b/r g.
+TEST(RollingResistance, StopsARollingBall) {
+  for (const double dt : {1.0 / 10, 1.0 / 60, 1.0 / 480}) {
+    World world = onGround(0.3, 0.02, 1.5, 1.5);
+    world.settings.dt = dt;
+    const double braking = 5.0 / 7 * 0.02 / kR * kG;
+    runFor(world, 5);
+    EXPECT_NEAR(length(world.balls.velocity[0]), 1.5 - 5 * braking, 1e-12) << dt;
+    EXPECT_NEAR(way(world), 1.5 * 5 - braking * 25 / 2, 1e-12) << dt;
+    runFor(world, 1);  // it stops after v / braking = 5.35 s
+    EXPECT_NEAR(way(world), 1.5 * 1.5 / (2 * braking), 1e-12) << dt;
+    EXPECT_EQ(world.balls.spin[0], Vec3(0, 0, 0));
+    expectBitsKept(world, 10);
+  }
+}
+
+TEST(RollingResistance, StopsABallThatSlid) {
+  for (const double rate : {6, 60, 960}) {
+    World world = makeScene(findScene("rolling-stops"));
+    world.settings.dt = 1 / rate;
+    runFor(world, 3);
+    EXPECT_LE(positionError(findAccuracyCase("rolling-stops"), world), 1e-11) << rate;
+    expectBitsKept(world, 2);
+  }
+}
+
+// The torque on the ball is about the normal of no contact.
+TEST(RollingResistance, LeavesTheSpinAboutTheNormal) {
+  World world = onGround(0.3, 0.1, 1, 1);
+  world.balls.spin[0].y() = 7;
+  runFor(world, 2);
+  EXPECT_EQ(world.balls.velocity[0], Vec3(0, 0, 0));
+  EXPECT_LE(length(world.balls.spin[0] - Vec3(0, 7, 0)), 1e-14);
+  expectBitsKept(world, 1);
+}
+
+// Friction of at most mu g turns it with mu g r against b g: not at all where b >= mu r. It slides
+// until it rests.
+TEST(RollingResistance, KeepsASlidingBallFromTurning) {
+  for (const double resistance : {0.15, 0.16, 3.0}) {
+    World world = onGround(0.3, resistance, 3, 0);
+    runFor(world, 0.5);
+    EXPECT_NEAR(length(world.balls.velocity[0]), 3 - 0.3 * kG * 0.5, 1e-12);
+    EXPECT_EQ(world.balls.spin[0], Vec3(0, 0, 0));
+    runFor(world, 1);
+    EXPECT_NEAR(way(world), 9 / (2 * 0.3 * kG), 1e-11);
+    expectBitsKept(world, 1);
+  }
+}
+
+// Rolling takes the friction 5/7 b/r g: more than mu g where b > 7/5 mu r = 0.21 m. The ball then
+// slides on, braked by mu g from its first moment to its last, its spin by 5/2 (b/r - mu) g.
+TEST(RollingResistance, MakesARollingBallSlide) {
+  World world = onGround(0.3, 0.25, 3, 3);
+  runFor(world, 0.25);
+  EXPECT_NEAR(length(world.balls.velocity[0]), 3 - 0.3 * kG * 0.25, 1e-12);
+  EXPECT_NEAR(kR * length(world.balls.spin[0]), 3 - 2.5 * 0.2 * kG * 0.25, 1e-12);
+  runFor(world, 0.5);
+  EXPECT_LE(length(world.balls.spin[0]), 1e-14);  // none since 0.61 s
+  EXPECT_NEAR(length(world.balls.velocity[0]), 3 - 0.3 * kG * 0.75, 1e-12);
+  runFor(world, 1);
+  EXPECT_NEAR(way(world), 9 / (2 * 0.3 * kG), 1e-11);
+  expectBitsKept(world, 1);
+  // At 0.20 m it rolls.
+  world = onGround(0.3, 0.2, 3, 3);
+  runFor(world, 0.5);
+  EXPECT_NEAR(length(world.balls.velocity[0]), 3 - 5.0 / 7 * 0.4 * kG * 0.5, 1e-12);
+  EXPECT_NEAR(kR * length(world.balls.spin[0]), length(world.balls.velocity[0]), 1e-12);
+}
+
+// On a frictionless ground nothing but the torque turns it: 5/2 b/r g less r w in a second.
+TEST(RollingResistance, EndsASpinWithoutFriction) {
+  World world = onGround(0, 0.02, 1, 3);
+  world.balls.spin[0].y() = 2;
+  runFor(world, 2);
+  EXPECT_NEAR(kR * length(world.balls.spin[0] - Vec3(0, 2, 0)), 3 - 2.5 * 0.04 * kG * 2, 1e-12);
+  runFor(world, 2);
+  EXPECT_LE(length(world.balls.spin[0] - Vec3(0, 2, 0)), 1e-14);
+  EXPECT_NEAR(way(world), 4, 1e-12);
+}
+
+// About the contact point a pull F turns it by F r against b N: b/r = 0.1 is the steepest slope.
+TEST(RollingResistance, HoldsABallOnASlope) {
+  for (const double slope : {0.0, 0.05, 0.0999, 0.1001, 0.2}) {
+    World world = onGround(0.3, 0.05, 0, 0);
+    world.settings.gravity = Vec3(0, -kG, 0) + slope * kG * kAhead;
+    if (slope < 0.1) {
+      expectBitsKept(world, 2);
+      EXPECT_EQ(way(world), 0);
+    } else {
+      runFor(world, 2);
+      EXPECT_NEAR(way(world), 5.0 / 7 * (slope - 0.1) * kG * 2, 1e-12) << slope;
+    }
+  }
+}
+
+// Up the slope braked by the pull and the resistance, down again by their difference.
+TEST(RollingResistance, TurnsWithABallThatComesBack) {
+  World world = onGround(0.3, 0.05, -2, -2);
+  world.settings.gravity = Vec3(0, -kG, 0) + 0.3 * kG * kAhead;
+  const double up = 5.0 / 7 * (0.3 + 0.1) * kG, down = 5.0 / 7 * (0.3 - 0.1) * kG;
+  const double left = 2 - 2 / up;  // s
+  runFor(world, 2);
+  EXPECT_NEAR(way(world), -4 / (2 * up) + down * left * left / 2, 1e-12);
+  EXPECT_NEAR(dot(world.balls.velocity[0], kAhead), down * left, 1e-12);
+}
+
+// N = v^2 / rho: v' = -5/7 b/r v^2 / rho.
+TEST(RollingResistance, SlowsDownRoundTheWall) {
+  World world = freeWorld();
+  world.arena.radius = 10;
+  world.settings.friction = 0.3;
+  world.settings.rollingResistance = 0.05;
+  addUnitBall(world, {9.5, 1, 0}, {0, 0, -5}, {0, -10, 0});
+  runFor(world, 20);
+  const double braking = 5.0 / 7 * 0.1 / 9.5;  // 1/m
+  const double angle = std::log(1 + braking * 5 * 20) / braking / 9.5;
+  EXPECT_LE(
+      length(world.balls.position[0] - Vec3(9.5 * std::cos(angle), 1, -9.5 * std::sin(angle))),
+      1e-8);
+  EXPECT_NEAR(length(world.balls.velocity[0]), 5 / (1 + braking * 5 * 20), 1e-9);
+}
+
+// The case of the catalogue: it rolls to and fro, and is held where the well no longer moves it.
+TEST(RollingResistance, HoldsABallUnderAWell) {
+  std::vector<std::pair<double, double>> errors;
+  for (int n = 30; n <= 240; n *= 2) {
+    World world = makeScene(findScene("stuck-under-a-well"));
+    world.settings.dt = 1.0 / n;
+    runFor(world, 10);
+    errors.emplace_back(1.0 / n, positionError(findAccuracyCase("stuck-under-a-well"), world));
+    expectBitsKept(world, 2);
+  }
+  EXPECT_LE(errors[1].second, 1e-10);
+  EXPECT_GE(fittedOrder(errors), 3.8);
+}
+
+// A well that moves away draws the ball on from when its pull exceeds b/r g. From there on an
+// independent integration of x'' = 5/7 (pull - b/r g).
+TEST(RollingResistance, LetsGoWhenAWellPullsTooHard) {
+  using oracle::Real;
+  const auto pull = [](Real x, Real t) {
+    const Real d = 3 * t - x;
+    return 8 * d / std::pow(d * d + 4, 1.5L);
+  };
+  const Real hold = 0.02L / 0.5L * 9.81L;
+  Real low = 0, high = 0.4L;
+  for (int i = 0; i < 100; ++i) {
+    const Real t = (low + high) / 2;
+    (pull(0, t) > hold ? high : low) = t;
+  }
+  Real t = low, x = 0, v = 0;
+  const Real until = 0.8L;
+  const int steps = 20000;
+  const Real h = (until - t) / steps;
+  for (int i = 0; i < steps; ++i, t += h) {
+    const auto a = [&](Real place, Real time) { return 5.0L / 7 * (pull(place, time) - hold); };
+    const Real a1 = a(x, t), a2 = a(x + h / 2 * v, t + h / 2),
+               a3 = a(x + h / 2 * (v + h / 2 * a1), t + h / 2),
+               a4 = a(x + h * (v + h / 2 * a2), t + h);
+    x += h * (v + h / 6 * (a1 + a2 + a3));
+    v += h / 6 * (a1 + 2 * (a2 + a3) + a4);
+  }
+  const auto worldOf = [](double dt) {
+    World world = onGround(0.3, 0.02, 0, 0);
+    world.settings.dt = dt;
+    world.balls.position[0] = {0, kR, 0};
+    world.tracks = {
+        {.keyframes = {{0, {0, kR, 0}, 8}, {std::llround(1 / dt), {3, kR, 0}, 8}}, .softening = 2}};
+    return world;
+  };
+  const auto errors = stepErrors(worldOf, 0.8, {static_cast<double>(x), kR, 0});
+  EXPECT_LE(errors.front().second, 1e-7);
+  EXPECT_GE(fittedOrder(errors), 3.8);
+}
+
+struct Case {
+  const char* name;
+  double friction, resistance;
+  oracle::Support support;
+  Vec3 well;  // m
+  double strength;
+  Vec3 start, velocity, spin;
+  double duration;  // s
+  bool endsTurning = false;
+};
+
+World worldOf(const Case& c, double dt) {
+  World world;
+  if (c.support == oracle::Support::Wall) world.arena.radius = 10;
+  world.settings.dt = dt;
+  world.settings.friction = c.friction;
+  world.settings.rollingResistance = c.resistance;
+  world.tracks = {{.keyframes = {{0, c.well, c.strength}}, .softening = 2}};
+  addUnitBall(world, c.start, c.velocity, c.spin);
+  return world;
+}
+
+Vec3 endOf(const Case& c) {
+  oracle::Body body = oracle::bodiesOf(worldOf(c, 1))[0];
+  const oracle::HeldUntil held =
+      oracle::HeldBall(c.support, {{oracle::pointOf(c.well), c.strength, 2}}, kG, c.friction,
+                       c.resistance)
+          .move(body, c.duration);
+  EXPECT_FALSE(held.lifted) << c.name;
+  return oracle::vectorOf(body.x);
+}
+
+constexpr auto kGround = oracle::Support::Ground;
+constexpr auto kWall = oracle::Support::Wall;
+const Case kCases[] = {
+    {"rolls_round_a_well", 0.5, 0.02, kGround, {0, 2, 0}, 60, {4, kR, 1}, {0, 0, 1}, {2, 0, 0}, 4},
+    {"starts_from_rest", 0.5, 0.02, kGround, {0, 2, 0}, 60, {4, kR, 1}, {0, 0, 0}, {0, 0, 0}, 4},
+    {"stops_while_it_turns",
+     0.5,
+     0.1,
+     kGround,
+     {0, 0.5, 0},
+     8,
+     {2, kR, 0},
+     {0, 0, 1},
+     {2, 0, 0},
+     2,
+     true},
+    {"slides_then_rolls",
+     0.3,
+     0.05,
+     kGround,
+     {0, 2, 0},
+     20,
+     {4, kR, 1},
+     {-3, 0, 0},
+     {0, 2, 5},
+     2,
+     true},
+    {"rolls_then_slides", 0.1, 0.02, kGround, {0, 0.5, 0}, 60, {6, kR, 0}, {0, 0, 0}, {0, 0, 0}, 3},
+    {"falls_rolling_round_the_wall",
+     0.5,
+     0.05,
+     kWall,
+     {0, 8, 0},
+     10,
+     {9.5, 40, 0},
+     {0, 0, -20},
+     {0, -40, 0},
+     2},
+    {"rolls_on_the_wall_with_spin",
+     0.5,
+     0.02,
+     kWall,
+     {0, 8, 0},
+     10,
+     {9.5, 9, 0},
+     {0, 1, -30},
+     {3, -60, -2},
+     2},
+    {"slides_then_rolls_on_the_wall",
+     0.5,
+     0.02,
+     kWall,
+     {0, 8, 0},
+     10,
+     {9.5, 9, 0},
+     {0, 1, -30},
+     {3, -60, 2},
+     2,
+     true},
+};
+
+constexpr double kReference = 1.5e-10;  // m, the error of the independent path
+
+class ResistedPath : public testing::TestWithParam<Case> {};
+
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.name;
+}
+
+TEST_P(ResistedPath, IsFollowed) {
+  const Case& c = GetParam();
+  auto errors = stepErrors([&](double dt) { return worldOf(c, dt); }, c.duration, endOf(c));
+  EXPECT_LE(errors.front().second, 1e-8);
+  while (errors.size() > 1 && errors.back().second <= kReference) errors.pop_back();
+  // The ever shorter steps in which a slip, or rolling, turns as it ends are as coarse at any dt.
+  if (!c.endsTurning && errors.size() > 1) {
+    EXPECT_GE(fittedOrder(errors), 3.8);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, ResistedPath, testing::ValuesIn(kCases),
+                         [](const auto& c) { return std::string(c.param.name); });
+
+}  // namespace
+}  // namespace wells
