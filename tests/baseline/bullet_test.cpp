@@ -124,6 +124,18 @@ TEST(Bullet, SlidesWithTheWorldsFriction) {
   EXPECT_NEAR(world.balls.spin[0].z() * 0.5, -2.5 * slowed, 5 * perStep);
 }
 
+// v' = -5/7 b/r g = -1.4 m/s^2, as ours. Two steps' worth for how it settles at first.
+TEST(Bullet, RollsWithTheWorldsResistance) {
+  World world = oneBall({.position = {0, 0.5, 0}, .velocity = {2, 0, 0}, .spin = {0, 0, -4}});
+  world.settings.rollingResistance = 0.1;
+  const double braking = 5.0 / 7 * 0.2 * 9.81;
+  run(world, 60);
+  EXPECT_NEAR(world.balls.velocity[0].x(), 2 - braking, 2 * braking / 60);
+  run(world, 60);
+  EXPECT_LE(length(world.balls.velocity[0]), 1e-3);
+  EXPECT_NEAR(world.balls.position[0].x(), 4 / (2 * braking), 0.05);
+}
+
 // Between two faces of the polygon a centre reaches out to (R - r) / cos(pi / 64). Start, well (S /
 // softening = 75 m^2/s^2 deep) and gravity (4 m) give a ball 16 m/s; with 20 m/s it moves 0.33 m a
 // step, which is what may be overlooked.

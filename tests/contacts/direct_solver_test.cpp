@@ -15,6 +15,7 @@ namespace {
 /// Contacts and the balls they hold; every contact touches.
 struct Island {
   double friction = 0;
+  double rollingResistance = 0;  // m
   Balls balls;
   std::vector<Contact> contacts;
 
@@ -29,7 +30,24 @@ struct Island {
     withPartner(c, [&]<class Partner>() {
       applyImpulse<Partner>(balls, c, -impulse.normal * c.normal);
       applyTangentImpulse<Partner>(balls, c, impulse.tangent);
+      applyTorqueImpulse<Partner>(balls, c, impulse.rolling);
     });
+  }
+
+  Vec3 rolling(std::size_t i) const {
+    Vec3 rolling;
+    withPartner(contacts[i],
+                [&]<class Partner>() { rolling = rollingVelocity<Partner>(balls, contacts[i]); });
+    return rolling;
+  }
+
+  /// m, the radius of a ball that a torque at that contact turns as it does both.
+  double rollingArm(std::size_t i) const {
+    double inverse = 0;
+    withPartner(contacts[i], [&]<class Partner>() {
+      inverse = inverseTurningInertia<Partner>(balls, contacts[i]);
+    });
+    return std::sqrt(kSpinFactor / (normalMass(contacts[i]) * inverse));
   }
 
   Vec3 slip(std::size_t i) const {
@@ -104,6 +122,15 @@ double violation(const Island& island, const std::vector<DirectSolver::Impulse>&
       const Vec3 expected = -island.friction * normal / speed * slip;
       worst = std::max(worst, std::min(length(tangent - expected), speed));
     }
+    // The same of the torque and the rolling, in m/s at the radius.
+    const double arm = island.rollingArm(i);
+    const Vec3 torque = given[i].rolling / (mass * arm);
+    const double most = island.rollingResistance / arm * normal;
+    const Vec3 rolling = arm * island.rolling(i);
+    worst = std::max({worst, length(torque) - most, std::abs(dot(torque, c.normal))});
+    const double turning = length(rolling);
+    if (turning > 0)
+      worst = std::max(worst, std::min(length(torque + most / turning * rolling), turning));
   }
   return worst / largest;
 }
@@ -111,7 +138,7 @@ double violation(const Island& island, const std::vector<DirectSolver::Impulse>&
 std::vector<DirectSolver::Impulse> solveAndGive(Island& island, DirectSolver& solver,
                                                 bool& isSolved) {
   const auto pointers = island.pointers();
-  isSolved = solver.solve(island.friction, pointers, island.balls);
+  isSolved = solver.solve(island.friction, pointers, island.balls, island.rollingResistance);
   std::vector<DirectSolver::Impulse> given(solver.impulses().begin(), solver.impulses().end());
   for (std::size_t i = 0; i < given.size(); ++i) island.give(i, given[i]);
   return given;
@@ -132,6 +159,26 @@ TEST(DirectSolver, ObeysTheLawsOfContact) {
       continue;
     }
     ASSERT_LE(violation(island, given), 1e-11) << trial;
+  }
+  EXPECT_LE(unsolved, kTrials / 1000);
+}
+
+// With rolling resistance there is a second cone of each contact.
+TEST(DirectSolver, ObeysTheLawsOfRollingResistance) {
+  Random random(4);
+  DirectSolver solver;
+  int unsolved = 0;
+  constexpr int kTrials = 10000;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    Island island = randomIsland(random, 1 + static_cast<std::size_t>(trial % 6), 10);
+    island.rollingResistance = decades(random, 1e-3, 10);
+    bool isSolved = false;
+    const auto given = solveAndGive(island, solver, isSolved);
+    if (!isSolved) {
+      ++unsolved;
+      continue;
+    }
+    ASSERT_LE(violation(island, given), 1e-10) << trial;
   }
   EXPECT_LE(unsolved, kTrials / 1000);
 }

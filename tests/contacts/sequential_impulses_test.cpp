@@ -61,6 +61,45 @@ TEST(Restitution, ObliqueImpactOfTwoBalls) {
   EXPECT_LE(length(scene.balls.velocity[1] - Vec3(4.2, 0, 1.833030277982336)), 1e-14);
 }
 
+// Two balls of any radii and masses rest on each other with the normal impulse J and turn against
+// each other. The torque's impulse is what ends that, 1/(1/I_a + 1/I_b), or b J; equal and
+// opposite, and the spin about the normal stays. Friction is off, so that nothing else turns them.
+TEST(RollingResistance, EndsTheRollingOfTwoBalls) {
+  for (const double resistance : {1e-3, 1.0}) {
+    Scene scene;
+    scene.settings.elasticity = 0;
+    scene.settings.friction = 0;
+    scene.settings.rollingResistance = resistance;
+    const Vec3 normal(0.6, 0, 0.8);
+    const Vec3 axis(0, 1, 0);
+    scene.balls.add({.position = {0, 5, 0}, .velocity = normal, .spin = 2 * axis + 3 * normal}, 0.5,
+                    2);
+    scene.balls.add({.position = Vec3(0, 5, 0) + normal * (0.75 - 1e-12), .spin = -axis}, 0.25, 1);
+    scene.ballContacts = {{.a = 0, .b = 1}};
+    // As if a force had closed them: no impact.
+    const std::vector<Vec3> before = {Vec3::Zero(), Vec3::Zero()};
+    resolveContacts(scene.settings, scene.arena, kSubstep, {scene.ballContacts, {}}, before.data(),
+                    scene.balls, scene.workspace);
+    const double inertiaA = 0.4 * 2 * 0.25, inertiaB = 0.4 * 1 * 0.0625;
+    const double needed = 3 / (1 / inertiaA + 1 / inertiaB);
+    const double impulse = std::min(needed, resistance * 2.0 / 3);  // J = m* v, m* = 2/3
+    EXPECT_NEAR(scene.ballContacts[0].normalImpulse, 2.0 / 3, 1e-12);
+    EXPECT_LE(length(scene.balls.spin[0] - (2 - impulse / inertiaA) * axis - 3 * normal), 1e-12);
+    EXPECT_LE(length(scene.balls.spin[1] + (1 - impulse / inertiaB) * axis), 1e-12);
+  }
+}
+
+// An impact is an instant: what its normal force does to the rolling is not modelled.
+TEST(RollingResistance, IsNoneWithinAnImpact) {
+  Scene scene = twoBalls({1, 0, 0}, 1, 1, 0.5, 0);
+  scene.settings.rollingResistance = 0.1;
+  scene.balls.velocity[0] = {3, 0, 0};
+  scene.balls.spin[0] = {0, 5, 0};
+  scene.resolve();
+  EXPECT_GT(scene.balls.velocity[1].x(), 1);
+  EXPECT_EQ(scene.balls.spin[0], Vec3(0, 5, 0));
+}
+
 // Two equal balls with friction, m* = 1/2. J_n = (1+e) m* v_n; J_t = 2/7 m* u_t where they stick,
 // else mu J_n. Normal (cos 30, 0, sin 30), 5 m/s, e = 0.8, mu = 0.3: they stick.
 TEST(Friction, TwoBallsThatStick) {

@@ -336,5 +336,113 @@ TEST_P(ResistedPath, IsFollowed) {
 INSTANTIATE_TEST_SUITE_P(Cases, ResistedPath, testing::ValuesIn(kCases),
                          [](const auto& c) { return std::string(c.param.name); });
 
+/// A ball on another one on the ground; the line of their centres leans by asin(lean / r), so that
+/// the upper one's weight acts `lean` (m) beside the contact.
+World leaningColumn(double lean) {
+  World world;
+  world.settings.elasticity = 0;
+  world.settings.rollingResistance = 0.05;
+  const double up = std::sqrt(kR * kR - lean * lean);
+  addUnitBall(world, {0, kR, 0});
+  addUnitBall(world, {2 * lean, kR + 2 * up, 0});
+  return world;
+}
+
+// Forces are vertical, as nothing pushes sideways. About its centre the upper ball's W acts at the
+// arm `lean`, against up to b N, N = W cos: it stands while r tan <= b. The lower one has twice the
+// torque, of both contacts, and twice the weight to press it.
+TEST(RollingResistance, HoldsABallOnAnother) {
+  // r tan = 0.049 and 0.051
+  for (const auto& [arm, stands] : {std::pair{0.049, true}, {0.051, false}}) {
+    World world = leaningColumn(arm / std::sqrt(1 + arm * arm / (kR * kR)));
+    const Vec3 lower = world.balls.position[0], upper = world.balls.position[1];
+    runFor(world, stands ? 10 : 3);
+    const double moved =
+        length(world.balls.position[0] - lower) + length(world.balls.position[1] - upper);
+    if (stands)
+      EXPECT_LE(moved, 1e-9);
+    else
+      EXPECT_GE(moved, 0.1);
+  }
+}
+
+// By substeps, where the contact's position within a substep is not resolved: second order.
+TEST(RollingResistance, StopsABallInSubsteps) {
+  World world = onGround(0.3, 0.02, 1.5, 1.5);
+  world.settings.contactMethod = ContactMethod::Substep;
+  const double braking = 5.0 / 7 * 0.02 / kR * kG;
+  runFor(world, 6);
+  EXPECT_NEAR(way(world), 1.5 * 1.5 / (2 * braking), 1e-3);
+  const Vec3 rest = world.balls.position[0];
+  runFor(world, 10);
+  EXPECT_LE(length(world.balls.position[0] - rest), 1e-12);
+  EXPECT_LE(length(world.balls.velocity[0]), 1e-12);
+}
+
+// As the resistance goes to nothing, so does what it changes.
+TEST(RollingResistance, OfNextToNothingChangesNothing) {
+  for (const char* name : {"rolling-well", "backspin", "wall-rolling", "wall-slide-to-roll",
+                           "zeno-rest", "pile-stands", "column"}) {
+    World without = makeScene(findScene(name));
+    World with = without;
+    with.settings.rollingResistance = 1e-15;
+    runFor(without, 1);
+    runFor(with, 1);
+    for (std::size_t i = 0; i < with.balls.size(); ++i)
+      EXPECT_LE(length(with.balls.position[i] - without.balls.position[i]), 1e-11) << name;
+  }
+}
+
+struct BookedRun {
+  Books books;
+  double gained = 0;           // J
+  double largestRise = 0;      // J, of contacts and friction together in one step
+  Vec3 turned = Vec3::Zero();  // kg m^2/s
+};
+
+BookedRun book(World& world, double duration) {
+  const auto simulation = makeSimulation();
+  simulation->openBooks();
+  const Measures start = measure(world);
+  BookedRun run;
+  for (std::int64_t i = 0; i < std::llround(duration / world.settings.dt); ++i) {
+    const Books before = *simulation->books();
+    simulation->step(world);
+    run.books = *simulation->books();
+    run.largestRise = std::max(run.largestRise, run.books.contacts + run.books.friction -
+                                                    before.contacts - before.friction);
+  }
+  const Measures end = measure(world);
+  run.gained = end.energy() - start.energy();
+  run.turned = end.angularMomentum - start.angularMomentum;
+  return run;
+}
+
+// All the energy of 7/10 m v^2 goes into friction, and the ground's torque is booked.
+TEST(RollingResistance, IsBooked) {
+  for (const ContactMethod method : {ContactMethod::Exact, ContactMethod::Substep}) {
+    World world = onGround(0.3, 0.02, 1.5, 1.5);
+    world.settings.contactMethod = method;
+    const BookedRun run = book(world, 6);
+    EXPECT_NEAR(run.books.friction, -0.7 * 1.5 * 1.5, 1e-12);
+    EXPECT_NEAR(run.books.energy(), run.gained, 1e-12);
+    EXPECT_LE(length(run.books.angularImpulse() - run.turned), 1e-10);
+    EXPECT_LE(run.largestRise, 1e-13);
+  }
+}
+
+// A heap of 25 balls under a well, and the same in passes alone.
+TEST(RollingResistance, AddsNoEnergyToAHeap) {
+  for (const std::size_t balls : {10, 60}) {
+    World world = makeScene(findScene("T1"), balls);
+    world.settings.rollingResistance = 0.02;
+    const BookedRun run = book(world, 5);
+    EXPECT_LT(run.books.friction, 0);
+    EXPECT_LE(run.largestRise, 1e-9);
+    EXPECT_NEAR(run.books.energy(), run.gained, 1e-9 * std::abs(run.gained));
+    EXPECT_LE(length(run.books.angularImpulse() - run.turned), 1e-7);
+  }
+}
+
 }  // namespace
 }  // namespace wells

@@ -43,10 +43,10 @@ class HeldBall {
                             (35 * mu_ * pressing(ball)));
       const Real c = size(lag(ball)), braking = 2.5L * arm_ / ball.r * pressing(ball);
       if (braking > 0 && c >= kNoSlip)
-        h = std::min(h, (size(tangent(force(ball.x), normal(ball.x))) > braking / 2.5L
-                             ? std::max(c, kFollows)
-                             : c) /
-                            (10 * braking));
+        h = std::min(
+            h, (size(tangent(force(ball.x), normal(ball.x))) > braking / 2.5L ? std::max(c, kTurns)
+                                                                              : c) /
+                   (10 * braking));
       const Body next = step(ball, h);
       if (!isPressed(next)) {
         now += goTo(ball, h, [&](const Body& b) { return isPressed(b); });
@@ -67,7 +67,8 @@ class HeldBall {
  private:
   static constexpr Real kStep = 2e-4L;     // s
   static constexpr Real kNoSlip = 1e-13L;  // m/s
-  static constexpr Real kFollows = 1e-9L;  // m/s, below which a slip that begins follows the pull
+  static constexpr Real kFollows = 1e-6L;  // m/s, below which a slip that begins follows the pull
+  static constexpr Real kTurns = 1e-9L;    // m/s, the same of a turning
 
   /// Per mass.
   P force(const P& x) const {
@@ -126,7 +127,7 @@ class HeldBall {
     if (arm_ == 0) return {};
     const P c = lag(b), n = normal(b.x), f = tangent(force(b.x), n);
     const Real most = 2.5L * arm_ / b.r * pressing(b);
-    const bool follows = size(c) < kNoSlip || (size(c) < kFollows && size(f) > most / 2.5L);
+    const bool follows = size(c) < kNoSlip || (size(c) < kTurns && size(f) > most / 2.5L);
     const P ahead = !follows ? c : rolls_ ? f : slip(b);
     return size(ahead) > 0 ? most / size(ahead) * ahead : P{};
   }
