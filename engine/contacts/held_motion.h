@@ -12,9 +12,11 @@
 //   sliding  u != 0:  f = -mu N u/|u|
 //
 // Rolling resistance of lever arm b presses ahead of the contact point: a torque of size b N in the
-// tangent plane against the spin there (Johnson, Contact Mechanics, 1985, section 9.1; model A of
-// Ai, Chen, Rotter & Ooi, Powder Technology 206 (2011) 269). It is a dry friction for the lag
-// c = v - u = r w x n: with t its torque per mass and radius, as f a vector along the surface,
+// tangent plane against the spin there (Johnson, Contact Mechanics, 1985, chapter 9; model A of Ai,
+// Chen, Rotter & Ooi, "Assessment of rolling resistance models in discrete element simulations",
+// Powder Technology 206 (2011) 269, which lets nothing rest; here it holds as friction does). It is
+// a dry friction for the lag c = v - u = r w x n: with t its torque per mass and radius, as f a
+// vector along the surface,
 //   c' = F - P - 5/2 f + 5/2 t,   u' = P + 7/2 f - 5/2 t,   |t| <= b/r N.
 //   rolling   u = 0, c = v:  t = -b/r N v/|v|, f = -2/7 (P - 5/2 t), while |f| <= mu N
 //   sliding   u != 0 != c:   f = -mu N u/|u|,  t = -b/r N c/|c|

@@ -14,7 +14,8 @@ namespace wells {
 /// near the limit does not change its method at every step.
 inline constexpr std::size_t kCrowd = 64;
 
-/// True where impacts take no energy, which substeps would not keep so.
+/// True where impacts take no energy, which substeps would not keep so. (Rolling resistance takes
+/// none in an impact.)
 bool isLossless(const Settings& settings);
 
 /// True for a crowd. Never where impacts are lossless, and never with a ball that moves further

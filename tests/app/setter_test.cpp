@@ -290,7 +290,7 @@ TEST(SettingList, ShowsWhatHoldsSinceWhenByWhomAndWhatIsToCome) {
             "  Gravity = off, since step 900, set by ann@lab1\n"
             "  Elasticity = 0.8, as configured\n"
             "  Friction = 0.3, as configured\n"
-            "  RollingResistance = as configured\n"
+            "  RollingResistance = 0, as configured\n"
             "  Reset = never\n"
             "  2.Well = repel, since step 500, set by bob@lab2\n"
             "To come:\n"

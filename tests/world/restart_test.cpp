@@ -40,6 +40,12 @@ World withLostBall() {
   return world;
 }
 
+World withRollingResistance() {
+  World world = makeScene(findScene("T1"), 100);
+  world.settings.rollingResistance = 0.02;
+  return world;
+}
+
 World withGhosts() {
   World world = makeScene(findScene("T1"), 60);
   for (std::size_t i = 0; i < world.balls.size(); ++i)
@@ -55,6 +61,7 @@ std::vector<Case> cases() {
           {"zeno", makeScene(findScene("zeno")), 360, {100, 300}},
           {"moving wells", movingWells(), 220, {39, 40, 96, 180}},
           {"a ball that is not finite", withLostBall(), 60, {1, 40}},
+          {"rolling resistance", withRollingResistance(), 120, {60, 90}},
           {"ghosts", withGhosts(), 90, {70}}};
 }
 
