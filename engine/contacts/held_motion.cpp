@@ -204,13 +204,14 @@ Flat HeldMotion::direction(Flat moving, const Drive& drive, const Opposed& oppos
 // where the ball has lifted off, which the search for that time looks beyond.
 
 HeldMotion::Drive HeldMotion::driveOfSlip(const Held& now, const Load& load) const {
-  const double friction = model_.friction * std::max(0.0, load.pressing);
-  if (path_.motion == Motion::Skidding) return {load.pull, friction};
-  if (resistance_ == 0) return {load.slipPull, kSlipRatio * friction};
+  const double pressing = std::max(0.0, load.pressing);
+  if (path_.motion == Motion::Skidding) return {load.pull, model_.friction * pressing};
+  const double friction = kSlipRatio * model_.friction * pressing;
+  if (resistance_ == 0) return {load.slipPull, friction};
   const Flat lag = lagOf(now);
   const Flat turning =
       dot(lag, turning_.first) <= turning_.noise ? turning_.first : (1 / length(lag)) * lag;
-  return {load.slipPull + resistanceOnTurning(load) * turning, kSlipRatio * friction};
+  return {load.slipPull + resistanceOnTurning(load) * turning, friction};
 }
 
 HeldMotion::Drive HeldMotion::driveOfTurning(const Load& load, Flat friction) const {
