@@ -379,6 +379,19 @@ TEST(RollingResistance, StopsABallInSubsteps) {
   EXPECT_LE(length(world.balls.velocity[0]), 1e-12);
 }
 
+// Substeps start from the torque of the one before; not from one that is no more.
+TEST(RollingResistance, CanBeSwitchedOff) {
+  World world = onGround(0.3, 0.05, 0, 0);
+  world.settings.contactMethod = ContactMethod::Substep;
+  world.settings.gravity = Vec3(0, -kG, 0) + 0.05 * kG * kAhead;
+  const auto simulation = makeSimulation();
+  for (int i = 0; i < 60; ++i) simulation->step(world);
+  EXPECT_LE(std::abs(way(world)), 1e-12);
+  world.settings.rollingResistance = 0;
+  for (int i = 0; i < 60; ++i) simulation->step(world);
+  EXPECT_NEAR(way(world), 5.0 / 7 * 0.05 * kG / 2, 1e-3);
+}
+
 // As the resistance goes to nothing, so does what it changes.
 TEST(RollingResistance, OfNextToNothingChangesNothing) {
   for (const char* name : {"rolling-well", "backspin", "wall-rolling", "wall-slide-to-roll",
@@ -431,17 +444,18 @@ TEST(RollingResistance, IsBooked) {
   }
 }
 
-// A heap of 25 balls under a well, and the same in passes alone.
+// Heaps under wells, also with arms that no ball can roll against.
 TEST(RollingResistance, AddsNoEnergyToAHeap) {
-  for (const std::size_t balls : {10, 60}) {
-    World world = makeScene(findScene("T1"), balls);
-    world.settings.rollingResistance = 0.02;
-    const BookedRun run = book(world, 5);
-    EXPECT_LT(run.books.friction, 0);
-    EXPECT_LE(run.largestRise, 1e-9);
-    EXPECT_NEAR(run.books.energy(), run.gained, 1e-9 * std::abs(run.gained));
-    EXPECT_LE(length(run.books.angularImpulse() - run.turned), 1e-7);
-  }
+  for (const double resistance : {1e-300, 0.02, 0.15, 1e6})
+    for (const std::size_t balls : {10, 60}) {
+      World world = makeScene(findScene("T1"), balls);
+      world.settings.rollingResistance = resistance;
+      const BookedRun run = book(world, 3);
+      EXPECT_LT(run.books.friction, 0) << resistance;
+      EXPECT_LE(run.largestRise, 1e-9) << resistance;
+      EXPECT_NEAR(run.books.energy(), run.gained, 1e-9 * std::abs(run.gained)) << resistance;
+      EXPECT_LE(length(run.books.angularImpulse() - run.turned), 1e-7) << resistance;
+    }
 }
 
 }  // namespace
