@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "scenes/catalogue.h"
 #include "scenes/exact_answers.h"
@@ -168,6 +169,37 @@ TEST(RollingResistance, SlowsDownRoundTheWall) {
   EXPECT_NEAR(length(world.balls.velocity[0]), 5 / (1 + braking * 5 * 20), 1e-9);
 }
 
+// N = v^2 / rho, and friction cannot make it turn: v' = -mu v^2 / rho without end.
+TEST(RollingResistance, KeepsABallAtTheWallFromTurning) {
+  World world = freeWorld();
+  world.arena.radius = 10;
+  world.settings.friction = 0.3;
+  world.settings.rollingResistance = 0.2;
+  addUnitBall(world, {9.5, 1, 0}, {0, 0, -5});
+  runFor(world, 20);
+  const double angle = std::log(1 + 0.3 / 9.5 * 5 * 20) / 0.3;
+  EXPECT_LE(
+      length(world.balls.position[0] - Vec3(9.5 * std::cos(angle), 1, -9.5 * std::sin(angle))),
+      1e-8);
+  EXPECT_EQ(world.balls.spin[0], Vec3(0, 0, 0));
+}
+
+// A well on the axis, half a metre above it, presses it to the wall and pulls by 0.5 / 9.5 of that:
+// less than b/r = 0.06.
+TEST(RollingResistance, HoldsABallOnTheWall) {
+  for (const double degrees : {0, 17, 133, 260}) {
+    World world = freeWorld();
+    world.arena = {.center = {3, -1, 2}, .radius = 10};
+    world.settings.friction = 0.3;
+    world.settings.rollingResistance = 0.03;
+    world.tracks = {{.keyframes = {{0, {3, 5.5, 2}, -400}}, .softening = 2}};
+    const double angle = degrees * std::numbers::pi / 180;
+    addUnitBall(world, {3 + 9.5 * std::cos(angle), 5, 2 + 9.5 * std::sin(angle)});
+    runFor(world, 1.0 / 60);
+    expectBitsKept(world, 10);
+  }
+}
+
 // The case of the catalogue: it rolls to and fro, and is held where the well no longer moves it.
 TEST(RollingResistance, HoldsABallUnderAWell) {
   std::vector<std::pair<double, double>> errors;
@@ -281,6 +313,26 @@ const Case kCases[] = {
      2,
      true},
     {"rolls_then_slides", 0.1, 0.02, kGround, {0, 0.5, 0}, 60, {6, kR, 0}, {0, 0, 0}, {0, 0, 0}, 3},
+    {"skids_without_turning",
+     0.1,
+     0.1,
+     kGround,
+     {0, 0.5, 0},
+     60,
+     {6, kR, 0},
+     {0, 0, 1},
+     {0, 0, 0},
+     2},
+    {"is_pressed_up_the_wall",
+     0.5,
+     0.02,
+     kWall,
+     {0, 30, 0},
+     -2e4,
+     {9.5, 31, 0},
+     {0, 0, 0},
+     {0, 0, 0},
+     1},
     {"falls_rolling_round_the_wall",
      0.5,
      0.05,
