@@ -9,7 +9,8 @@
 // Newton like solution methods", 1991), for z = y - w,
 //   y_n = max(0, z_n),   y_t = z_t, shortened to mu max(0, z_n) if it is longer.
 // Rolling resistance is a second cone of each contact, with the torque and the rolling part of the
-// relative angular velocity as y_t and w_t, and the lever arm for mu.
+// relative angular velocity in the place of y_t and w_t, and the lever arm in that of mu.
+//
 // y and w are measured in units in which each impulse changes its own w by 1. The equations are
 // solved by Newton's method, piece by piece smooth. It starts from the impulses of the substep
 // before, which mostly leaves nothing to do.
@@ -71,8 +72,7 @@ class DirectSolver {
     Vec3 push;
     Vec3 turnA;
     Vec3 turnB;
-    double
-        scale;  // sqrt(kg), of a torque sqrt(kg) m: impulse in N s over that in the solver's units
+    double scale;  // sqrt(kg), of a torque sqrt(kg) m: impulse in SI over the solver's units
   };
   /// Two unknowns, from `first` on, whose size is limited by the normal one of their contact.
   struct Cone {

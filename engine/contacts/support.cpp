@@ -81,7 +81,8 @@ bool hasLostGrip(const PathModel& model, const Path& path, double end) {
 
 void begin(Motion motion, const PathModel& model, Held held, Path& path) {
   path.motion = motion;
-  if (motion == Motion::Resting && path.state.velocity.isZero(0)) return;  // as before
+  // What has rested before keeps its bits.
+  if (motion == Motion::Resting && path.state.velocity.isZero(0)) return;
   // The last of the slip, or of the turning, goes by the impulse that stops it.
   if (motion == Motion::Rolling) held.velocity = held.velocity - (1 / kSlipRatio) * held.slip;
   if (motion == Motion::Resting) held.velocity = held.slip = {};
