@@ -93,7 +93,7 @@ void prepare(const Settings& settings, const Arena& arena, double h, const Vec3*
   const bool rested = c.isSmall && c.restedImpulse > 0;
   c.impact = false;
   if (c.acts) {
-    if (rested) turnToMiddle<Partner>(arena, h, balls, c);
+    if (c.restedImpulse > 0) turnToMiddle<Partner>(arena, h, balls, c);
     const double closing = closingSpeed<Partner>(balls.velocity.data(), c);
     const double speed =
         length(balls.velocity[c.a]) + length(Partner::velocity(balls.velocity.data(), c));
