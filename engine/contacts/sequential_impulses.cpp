@@ -228,6 +228,10 @@ void findSmallIslands(const ContactLists& contacts, std::size_t ballCount,
   }
 }
 
+bool anyImpact(std::span<Contact* const> island) {
+  return std::ranges::any_of(island, [](const Contact* c) { return c->impact; });
+}
+
 /// All impulses of an island at once. False: not found, and nothing has changed.
 bool solveDirectly(double friction, std::span<Contact* const> island, Balls& balls,
                    DirectSolver& solver, const Ledger& ledger) {
@@ -242,13 +246,10 @@ bool solveDirectly(double friction, std::span<Contact* const> island, Balls& bal
 
 void solveByPasses(const Settings& settings, std::span<Contact* const> island, Balls& balls,
                    const Ledger& ledger) {
-  bool anyImpact = false;
   double built = 0;
-  for (const Contact* c : island) {
-    anyImpact |= c->impact;
-    built = std::max(built, c->acts ? c->builtUp : 0);
-  }
-  const int most = anyImpact ? settings.iterations : std::max(settings.iterations, kPassesAtRest);
+  for (const Contact* c : island) built = std::max(built, c->acts ? c->builtUp : 0);
+  const int most =
+      anyImpact(island) ? settings.iterations : std::max(settings.iterations, kPassesAtRest);
   double changed = std::numeric_limits<double>::infinity();
   for (int pass = 0; pass < most && changed > kSolved * built; ++pass) {
     changed = 0;
@@ -272,7 +273,7 @@ ResolvedCounts solveIslands(const Settings& settings, Balls& balls, ContactWorks
   ResolvedCounts counts;
   for (std::size_t n = 0; n < workspace.islands.count(); ++n) {
     const auto island = workspace.islands.contacts(n);
-    if (island.size() > 1 && island[0]->isSmall) {
+    if (island.size() > 1 && island[0]->isSmall && !anyImpact(island)) {
       if (solveDirectly(settings.friction, island, balls, workspace.direct, ledger)) {
         counts.direct += static_cast<std::int64_t>(island.size());
         continue;

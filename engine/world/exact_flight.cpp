@@ -60,6 +60,7 @@ void ExactFlight::begin(const StepInput& in, std::span<const std::uint32_t> isla
   events_.clear();
   path_.resize(balls.size());
   start_.resize(balls.size());
+  end_.resize(balls.size());
   version_.resize(balls.size());
   firstPair_.resize(balls.size());
   pairCount_.resize(balls.size());
@@ -178,9 +179,12 @@ void ExactFlight::bookHold(std::uint32_t i, const BallState& before, const Balls
 }
 
 void ExactFlight::foreseeEndOfMotion(const StepInput& in, std::uint32_t ball) {
+  end_[ball] = dt_;
   if (path_[ball].motion == Motion::Flying) return;
   const double end = endOfMotion(in.model, path_[ball], dt_);
-  if (end < dt_) add({end, kEndOfMotion, ball, version_[ball], 0});
+  if (end >= dt_) return;
+  end_[ball] = end;
+  add({end, kEndOfMotion, ball, version_[ball], 0});
 }
 
 void ExactFlight::add(const Event& event) {
@@ -191,14 +195,17 @@ void ExactFlight::add(const Event& event) {
 bool ExactFlight::foresee(const StepInput& in, std::span<const Contact> pairs, std::uint32_t p) {
   const Contact& pair = pairs[p];
   const Path& a = path_[pair.a];
+  // Where a motion ends, its pairs are looked at again.
+  double until = end_[pair.a];
   Encounter next;
   std::uint32_t versionB = 0;
   if (isBall(pair.b)) {
     const Path& b = path_[pair.b];
     versionB = version_[pair.b];
-    next = encounterOfBalls(in.model, a, b, std::max(a.start, b.start), dt_);
+    until = std::min(until, end_[pair.b]);
+    next = encounterOfBalls(in.model, a, b, std::max(a.start, b.start), until);
   } else {
-    next = encounterWithArena(in.model, a, pair.b, a.start, dt_);
+    next = encounterWithArena(in.model, a, pair.b, a.start, until);
   }
   if (next.meeting == Meeting::Sustained) return false;
   if (next.meeting == Meeting::Impact) add({next.time, p, pair.a, version_[pair.a], versionB});
@@ -206,8 +213,8 @@ bool ExactFlight::foresee(const StepInput& in, std::span<const Contact> pairs, s
 }
 
 bool ExactFlight::foreseeCluster(const StepInput& in, std::span<const Contact> pairs) {
+  for (const std::uint32_t i : clusterBalls_) foreseeEndOfMotion(in, i);
   for (const std::uint32_t i : clusterBalls_) {
-    foreseeEndOfMotion(in, i);
     for (std::uint32_t k = 0; k < pairCount_[i]; ++k) {
       const std::uint32_t p = pairsOf_[firstPair_[i] + k];
       if (inCluster_[p]) continue;  // foreseen from its other ball

@@ -123,6 +123,7 @@ class ExactFlight {
   // By ball, sized for the world; only those of the island are valid.
   std::vector<Path> path_;
   std::vector<BallState> start_;
+  std::vector<double> end_;             // s, of its path; at most dt_
   std::vector<std::uint32_t> version_;  // rises at each event of the ball
   std::vector<std::uint32_t> firstPair_;
   std::vector<std::uint32_t> pairCount_;
