@@ -183,6 +183,8 @@ std::string curveScript(const CurveOptions& options) {
       "set xlabel 'time of a step (ms)'\n"
       "set ylabel 'worst overlap of two balls at the end (m)'\n"
       "set key outside right top Left reverse spacing 1.3\n"
+      "# None at all stands at the foot of the axis.\n"
+      "shown(overlap) = overlap < 1e-5 ? 1e-5 : overlap\n"
       "is(s) = strcol('engine') eq 'ours' && column('substeps') == s\n"
       "plot",
       options.scene);
@@ -192,15 +194,15 @@ std::string curveScript(const CurveOptions& options) {
   for (const std::int64_t substeps : options.substeps) {
     script += fmt::format(
         " \\\n  'curve.csv' using (is({0}) ? column('ms_per_step') : NaN)"
-        ":(column('ball_overlap_m')) with linespoints lw 2 pt 7 lc rgb '{1}' title '{0} "
+        ":(shown(column('ball_overlap_m'))) with linespoints lw 2 pt 7 lc rgb '{1}' title '{0} "
         "substep{2}', \\\n"
-        "  '' using (is({0}) ? column('ms_per_step') : NaN):(column('ball_overlap_m'))"
+        "  '' using (is({0}) ? column('ms_per_step') : NaN):(shown(column('ball_overlap_m')))"
         ":(strcol('iterations')) with labels offset 0,0.8 tc rgb '{1}' notitle,",
         substeps, colours[next++ % std::size(colours)], substeps == 1 ? "" : "s");
   }
   return script +
          " \\\n  'curve.csv' using (strcol('engine') eq 'bullet' ? column('ms_per_step') : NaN)"
-         ":(column('ball_overlap_m')) with points pt 9 ps 2 lc rgb '#000000' title 'stock "
+         ":(shown(column('ball_overlap_m'))) with points pt 9 ps 2 lc rgb '#000000' title 'stock "
          "Bullet'\n";
 }
 
