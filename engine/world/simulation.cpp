@@ -144,7 +144,6 @@ class Simulation : public Stepper {
       }
       const IslandFate fate = exact_.run(input, island, islands_.pairs(n), reach_, balls);
       if (fate == IslandFate::TooFar && whenTooFar == WhenTooFar::StartOver) {
-        shareReaches(islands_.pairs(n));
         isComplete = false;
         continue;
       }
@@ -166,13 +165,6 @@ class Simulation : public Stepper {
     std::erase_if(plan_.ballContacts, isDone);
     std::erase_if(plan_.arenaContacts, isDone);
     return true;
-  }
-
-  /// A ball may be thrown about as far as the one that hits it. Without this, in a dense island the
-  /// attempts would find one ball after the other.
-  void shareReaches(std::span<const Contact> pairs) {
-    for (const Contact& c : pairs)
-      if (isBall(c.b)) reach_[c.a] = reach_[c.b] = std::max(reach_[c.a], reach_[c.b]);
   }
 
   [[noreturn]] static void giveUp(const World& world, std::span<const std::uint32_t> island) {
