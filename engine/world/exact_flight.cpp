@@ -34,17 +34,19 @@ IslandFate ExactFlight::run(const StepInput& in, std::span<const std::uint32_t> 
                             std::span<const Contact> pairs, std::span<double> reach, Balls& balls) {
   if (anyOverlaps(*in.model.arena, pairs, balls)) return IslandFate::Sustained;
   begin(in, island, pairs, balls);
-  const IslandFate fate = simulate(in, pairs, reach, balls);
-  for (const std::uint32_t i : island)
-    balls.setState(i, fate == IslandFate::Done ? stateAt(in.model, path_[i], dt_) : start_[i]);
-  if (fate != IslandFate::Done) return fate;
-  bool anyTooFar = false;
-  for (const std::uint32_t i : island) anyTooFar |= isTooFar(in, i, dt_, balls, reach);
-  if (anyTooFar) {
-    for (const std::uint32_t i : island) balls.setState(i, start_[i]);
-    return IslandFate::TooFar;
+  IslandFate fate = simulate(in, pairs, reach, balls);
+  if (fate == IslandFate::Done)
+    for (const std::uint32_t i : island) {
+      balls.setState(i, stateAt(in.model, path_[i], dt_));
+      checkReach(in, i, dt_, balls, reach);
+    }
+  if (anyTooFar_) fate = IslandFate::TooFar;
+  for (const std::uint32_t i : island) {
+    if (fate == IslandFate::Done)
+      book(in, i, dt_, balls);
+    else
+      balls.setState(i, start_[i]);
   }
-  for (const std::uint32_t i : island) book(in, i, dt_, balls);
   return fate;
 }
 
@@ -55,6 +57,7 @@ void ExactFlight::begin(const StepInput& in, std::span<const std::uint32_t> isla
   books_ = {};
   ledger_ = {keepsBooks_ ? &books_ : nullptr, in.model.arena->center};
   motionsEnded_ = 0;
+  anyTooFar_ = false;
   mostInelastic_ = std::max(kMostInelasticImpacts,
                             kMostInelasticOfBall * static_cast<std::int64_t>(island.size()));
   events_.clear();
@@ -119,7 +122,7 @@ IslandFate ExactFlight::simulate(const StepInput& in, std::span<const Contact> p
       // It closes by rounding alone, and nothing will press it: it need not be foreseen again.
       if (counts_.impacts == before) continue;
       for (const std::uint32_t i : clusterBalls_) {
-        if (isTooFar(in, i, event.time, balls, reach)) return IslandFate::TooFar;
+        checkReach(in, i, event.time, balls, reach);
         book(in, i, event.time, balls);
         path_[i] = pathFrom(in.model, balls.state(i), path_[i].radius, event.time);
         bookHold(i, balls.state(i), balls);
@@ -304,8 +307,8 @@ bool ExactFlight::isTooSlow(const StepInput& in, double time, const Balls& balls
   });
 }
 
-bool ExactFlight::isTooFar(const StepInput& in, std::uint32_t ball, double t, const Balls& balls,
-                           std::span<double> reach) const {
+void ExactFlight::checkReach(const StepInput& in, std::uint32_t ball, double t, const Balls& balls,
+                             std::span<double> reach) {
   const double left = dt_ - t;
   const BallState now = balls.state(ball);
   const double ahead =
@@ -314,9 +317,9 @@ bool ExactFlight::isTooFar(const StepInput& in, std::uint32_t ball, double t, co
                 left
           : 0;
   const double moved = length(now.position - start_[ball].position) + ahead;
-  if (!(moved > reach[ball])) return false;  // what is not finite has no reach
+  if (!(moved > reach[ball])) return;  // what is not finite has no reach
   reach[ball] = 2 * moved;
-  return true;
+  anyTooFar_ = true;
 }
 
 }  // namespace wells

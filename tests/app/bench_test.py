@@ -12,7 +12,7 @@ from peers import run
 HEADER = ("scene,engine,integrator,contacts,balls,dt,steps,threads,ms_per_step,ms_per_step_last100,"
           "max_overlap_m,ball_overlap_m,ground_overlap_m,wall_overlap_m,energy_start_J,energy_end_J,"
           "kinetic_start_J,kinetic_end_J,escaped,settled_s,"
-          "moved_m,kinetic_rise_J,exact_share,substep_share,impacts,handed_over,contacts_J,friction_J,drag_J,wells_J,push_out_J,flight_J,peak_rss_MiB,"
+          "moved_m,kinetic_rise_J,exact_share,substep_share,impacts,handed_over,direct_contacts,unsolved_islands,contacts_J,friction_J,drag_J,wells_J,push_out_J,flight_J,peak_rss_MiB,"
           "state_hash,commit,compiler,flags,cpu")
 SOURCES = ("contacts_J", "friction_J", "drag_J", "wells_J", "push_out_J", "flight_J")
 ENGINES = ("ours", "reference-euler", "reference-improved-euler", "reference-rk", "bullet")
@@ -73,6 +73,12 @@ class Bench(unittest.TestCase):
         # A row is what the same settings give alone.
         alone = self.rows("--balls", 50, "--steps", 5, "--substeps", 4, "--iterations", 8)
         self.assertEqual(rows[-1]["state_hash"], alone[-1]["state_hash"])
+
+    def test_contacts_solved_directly_are_counted_in_each_substep(self):
+        row = self.rows("--scene", "pile-stands", "--steps", 20)[-1]
+        contacts, substeps = 6, 4
+        self.assertEqual(int(row["direct_contacts"]), contacts * substeps * 20)
+        self.assertEqual(row["unsolved_islands"], "0")
 
     def test_a_target_error_chooses_for_the_scene(self):
         done = run("bench", "--csv", self.csv, "--scene", "orbit-short", "--target-error", "1e-6")
