@@ -13,6 +13,7 @@
 #include "bench_run.h"
 #include "bench_settling.h"
 #include "command_line.h"
+#include "curve_bench.h"
 #include "engines.h"
 #include "errors.h"
 #include "flight/integrators.h"
@@ -231,12 +232,15 @@ int runBench(std::span<const std::string> arguments, char** argv) {
     return runAccuracyBench(arguments.subspan(1), argv);
   if (!arguments.empty() && arguments.front() == "stress")
     return runStressBench(arguments.subspan(1), argv);
+  if (!arguments.empty() && arguments.front() == "curve")
+    return runCurveBench(arguments.subspan(1), argv);
   CLI::App app{
       "Runs a scene with an engine; one CSV row of time and physics.\n"
       "ms_per_step is the wall time of the steps alone; overlap, energy and escaped balls "
       "are those at the end. Where the energy went (.._J) is booked in a second run.\n"
       "\"bench accuracy\" measures error against CPU time, \"bench stress\" runs worlds that break "
-      "engines; both take --help too.",
+      "engines, \"bench curve\" overlap against time over the solver's settings; all take --help "
+      "too.",
       "./run.sh bench"};
   BenchOptions options;
   addOptions(app, options);

@@ -10,9 +10,10 @@ namespace wells {
 
 std::string stepColumns(const ContactShares& shares, const std::optional<Books>& books) {
   const std::string first = shares.exactBalls + shares.substepBalls > 0
-                                ? fmt::format("{:.6g},{:.6g},{},{}", shares.exact(),
-                                              shares.substep(), shares.impacts, shares.handedOver)
-                                : ",,,";
+                                ? fmt::format("{:.6g},{:.6g},{},{},{},{}", shares.exact(),
+                                              shares.substep(), shares.impacts, shares.handedOver,
+                                              shares.directContacts, shares.unsolvedIslands)
+                                : ",,,,,";
   if (!books) return first + ",,,,,,";
   return fmt::format("{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}", first, books->contacts,
                      books->friction, books->drag, books->wells, books->pushOut, books->flight);

@@ -12,8 +12,8 @@ namespace wells {
 
 /// Shares of the contact methods, and energy by source (J).
 inline constexpr std::string_view kStepColumns =
-    "exact_share,substep_share,impacts,handed_over,contacts_J,friction_J,drag_J,wells_J,push_out_J,"
-    "flight_J";
+    "exact_share,substep_share,impacts,handed_over,direct_contacts,unsolved_islands,contacts_J,"
+    "friction_J,drag_J,wells_J,push_out_J,flight_J";
 
 /// Their values; nothing between the commas where an engine doesn't count or keeps no books.
 std::string stepColumns(const ContactShares& shares, const std::optional<Books>& books);

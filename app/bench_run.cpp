@@ -79,7 +79,8 @@ std::optional<Books> bookedRun(Stepper& stepper, World world, std::int64_t steps
 std::string csvHeader() {
   return fmt::format(
       "scene,engine,integrator,contacts,balls,dt,steps,threads,ms_per_step,ms_per_step_last100,"
-      "max_overlap_m,energy_start_J,energy_end_J,kinetic_start_J,kinetic_end_J,escaped,settled_s,"
+      "max_overlap_m,ball_overlap_m,ground_overlap_m,wall_overlap_m,energy_start_J,energy_end_J,"
+      "kinetic_start_J,kinetic_end_J,escaped,settled_s,"
       "moved_m,"
       "kinetic_rise_J,{},peak_rss_MiB,state_hash,{}",
       kStepColumns, kBuildColumns);
@@ -87,11 +88,13 @@ std::string csvHeader() {
 
 std::string csvRow(const BenchResult& r) {
   return fmt::format(
-      "{},{},{},{},{},{:.17g},{},{},{:.6g},{:.6g},{:.6g},{:.17g},{:.17g},{:.6g},{:.6g},{},{},{},"
+      "{},{},{},{},{},{:.17g},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.17g},{:.17g},{:."
+      "6g},{:.6g},{},{},{},"
       "{:.1f},{},{}",
       r.scene, r.engine, csvField(r.integrator), csvField(r.contacts), r.balls, r.dt, r.steps,
-      r.threads, r.msPerStep, r.msPerStepLast100, r.end.worstOverlap(), r.start.energy(),
-      r.end.energy(), r.start.kineticEnergy, r.end.kineticEnergy, r.end.escaped,
+      r.threads, r.msPerStep, r.msPerStepLast100, r.end.worstOverlap(), r.end.ballOverlap,
+      r.end.groundOverlap, r.end.wallOverlap, r.start.energy(), r.end.energy(),
+      r.start.kineticEnergy, r.end.kineticEnergy, r.end.escaped,
       r.rest ? fmt::format("{:.6g},{:.6g},{:.6g}", r.rest->settledAt(), r.rest->moved(),
                            r.rest->kineticRise())
              : ",,",

@@ -20,6 +20,7 @@ class CaseError {
 
  private:
   const AccuracyCase& answer_;
+  Balls start_;
   double startEnergy_ = 0;  // J
   double sum_ = 0;          // of what is averaged
   std::int64_t steps_ = 0;

@@ -55,7 +55,21 @@ Json sharesAsJson(const ContactShares& s) {
           {"substep", s.substep()},
           {"impacts", s.impacts},
           {"clusters", s.clusters},
-          {"islands_handed_over", s.handedOver}};
+          {"islands_handed_over", s.handedOver},
+          {"direct_contacts", s.directContacts},
+          {"unsolved_islands", s.unsolvedIslands}};
+}
+
+std::string sharesAsText(const ContactShares& s) {
+  std::string text = fmt::format(
+      "contacts: {:.1f} % of the balls' steps by exact impacts ({} of them), {:.1f} % by substeps; "
+      "{} islands handed over\n",
+      100 * s.exact(), s.impacts, 100 * s.substep(), s.handedOver);
+  if (s.directContacts + s.unsolvedIslands > 0)
+    text += fmt::format(
+        "in substeps: contacts solved directly {} times; {} small islands left to the passes\n",
+        s.directContacts, s.unsolvedIslands);
+  return text;
 }
 
 std::string booksAsText(const Books& b) {
@@ -148,11 +162,7 @@ std::string reportAsText(const RunReport& r) {
       "energy {:.6g} J, then {:.6g} J; worst overlap {:.3g} m; {} of {} balls escaped; state {}\n",
       r.steps, r.simulatedTime, r.wallTime, r.engine, r.integrator, r.contacts, r.energyStart,
       r.energyEnd, r.maxOverlap, r.escaped, r.balls.size(), r.stateHash);
-  if (r.shares.exactBalls + r.shares.substepBalls > 0)
-    text += fmt::format(
-        "contacts: {:.1f} % of the balls' steps by exact impacts ({} of them), {:.1f} % by "
-        "substeps; {} islands handed over\n",
-        100 * r.shares.exact(), r.shares.impacts, 100 * r.shares.substep(), r.shares.handedOver);
+  if (r.shares.exactBalls + r.shares.substepBalls > 0) text += sharesAsText(r.shares);
   if (r.books) text += booksAsText(*r.books);
   text += remarks(r);
   if (r.fences > 0)

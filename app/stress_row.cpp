@@ -74,6 +74,8 @@ StressRow::StressRow(const StressCase& stress, const Stepper& ran, const StressR
             share(counts.exactBalls, counts.substepBalls),
             std::to_string(counts.impacts),
             std::to_string(counts.handedOver),
+            std::to_string(counts.directContacts),
+            std::to_string(counts.unsolvedIslands),
             std::to_string(counts.latePairs),
             number(msPerStep),
             r.firstBroken,

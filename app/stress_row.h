@@ -13,8 +13,8 @@ namespace wells {
 /// Names of the cells.
 inline constexpr std::string_view kStressColumns =
     "case,engine,integrator,contacts,worlds,steps,lost,not_finite,gain_J,gain_relative,overlap_m,"
-    "exact_balls,substep_balls,exact_share,impacts,handed_over,late_pairs,ms_per_step,first_broken,"
-    "verdict,reason";
+    "exact_balls,substep_balls,exact_share,impacts,handed_over,direct_contacts,unsolved_islands,"
+    "late_pairs,ms_per_step,first_broken,verdict,reason";
 
 class StressRow {
  public:

@@ -48,6 +48,8 @@ void add(const StepCounts& step, StepCounts& sum) {
   sum.impacts += step.impacts;
   sum.clusters += step.clusters;
   sum.handedOver += step.handedOver;
+  sum.directContacts += step.directContacts;
+  sum.unsolvedIslands += step.unsolvedIslands;
 }
 
 std::int64_t countNotFinite(const Balls& balls, std::span<const std::uint32_t> among) {

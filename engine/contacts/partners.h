@@ -13,6 +13,7 @@ inline constexpr double kSpinFactor = 1 / kInertiaFactor;
 struct BallPartner {
   static void touch(const Arena&, const Balls& balls, Contact& c) { touchBalls(balls, c); }
   static double inverseMass(const Balls& balls, const Contact& c) { return 1 / balls.mass[c.b]; }
+  static double radius(const Balls& balls, const Contact& c) { return balls.radius[c.b]; }
   static Vec3 velocity(const Vec3* velocities, const Contact& c) { return velocities[c.b]; }
   static Vec3 surfaceSpin(const Balls& balls, const Contact& c) {
     return balls.radius[c.b] * balls.spin[c.b];
@@ -46,6 +47,7 @@ struct ArenaPartner {
     touchArena(arena, balls, c);
   }
   static double inverseMass(const Balls&, const Contact&) { return 0; }
+  static double radius(const Balls& balls, const Contact& c) { return balls.radius[c.a]; }
   static Vec3 velocity(const Vec3*, const Contact&) { return Vec3::Zero(); }
   static Vec3 surfaceSpin(const Balls&, const Contact&) { return Vec3::Zero(); }
   static Vec3 spin(const Balls&, const Contact&) { return Vec3::Zero(); }

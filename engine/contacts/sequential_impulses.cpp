@@ -24,6 +24,18 @@ constexpr double kDeepest = std::numeric_limits<double>::infinity();
 template <>
 constexpr double kDeepest<ArenaPartner> = 0.99;
 
+// Overlap (of the smaller radius) that is left to balls which push on each other in an island that
+// is not solved directly. Pushed out to nothing, contacts open and close by rounding in every
+// substep, each loses the impulse that it had found, and the heap creeps for ever.
+constexpr double kLeftOverlap = 1e-3;
+
+// Passes that an island without impacts is given until it is solved, if the settings give fewer:
+// there impulses last, and what one substep finds serves the next. Until then a heap that should
+// stand creeps. An island is solved when a pass changes no velocity by more than kSolved of what
+// forces gave in the substep.
+constexpr int kPassesAtRest = 16;
+constexpr double kSolved = 1e-12;
+
 // What is further apart than this (of a radius) does not touch; and where forces move a ball
 // further within a substep, substeps are too coarse to tell what rests.
 constexpr double kNear = 0.01;
@@ -81,7 +93,7 @@ void prepare(const Settings& settings, const Arena& arena, double h, const Vec3*
   const bool rested = c.isSmall && c.restedImpulse > 0;
   c.impact = false;
   if (c.acts) {
-    if (rested) turnToMiddle<Partner>(arena, h, balls, c);
+    if (c.restedImpulse > 0) turnToMiddle<Partner>(arena, h, balls, c);
     const double closing = closingSpeed<Partner>(balls.velocity.data(), c);
     const double speed =
         length(balls.velocity[c.a]) + length(Partner::velocity(balls.velocity.data(), c));
@@ -135,17 +147,20 @@ void warmStart(Balls& balls, Contact& c, const Ledger& ledger) {
   brake<Partner>(balls, c, c.rollingImpulse, ledger);
 }
 
+/// Returns the change of relative velocity, m/s.
 template <class Partner>
-void solveNormal(Balls& balls, Contact& c, const Ledger& ledger) {
+double solveNormal(Balls& balls, Contact& c, const Ledger& ledger) {
   const double closing = closingSpeed<Partner>(balls.velocity.data(), c);
   const double total = std::max(0.0, c.normalImpulse + normalMass(c) * (closing + c.bounceSpeed));
   const double change = total - c.normalImpulse;
   c.normalImpulse = total;
   pushApart<Partner>(balls, c, change, ledger);
+  return std::abs(change) / normalMass(c);
 }
 
+/// Likewise.
 template <class Partner>
-void solveTangent(double friction, Balls& balls, Contact& c, const Ledger& ledger) {
+double solveTangent(double friction, Balls& balls, Contact& c, const Ledger& ledger) {
   Vec3 total = c.tangentImpulse - tangentMass(c) * slipVelocity<Partner>(balls, c);
   const double limit = friction * c.normalImpulse;
   const double size = length(total);
@@ -153,12 +168,13 @@ void solveTangent(double friction, Balls& balls, Contact& c, const Ledger& ledge
   const Vec3 change = total - c.tangentImpulse;
   c.tangentImpulse = total;
   rub<Partner>(balls, c, change, ledger);
+  return length(change) / tangentMass(c);
 }
 
 // Not within an impact: what the normal force of an instant does to the rolling is not modelled.
 template <class Partner>
-void solveRolling(double resistance, Balls& balls, Contact& c, const Ledger& ledger) {
-  if (c.impact) return;
+double solveRolling(double resistance, Balls& balls, Contact& c, const Ledger& ledger) {
+  if (c.impact) return 0;
   Vec3 total = c.rollingImpulse -
                rollingVelocity<Partner>(balls, c) / inverseTurningInertia<Partner>(balls, c);
   const double limit = resistance * c.normalImpulse;
@@ -167,6 +183,7 @@ void solveRolling(double resistance, Balls& balls, Contact& c, const Ledger& led
   const Vec3 change = total - c.rollingImpulse;
   c.rollingImpulse = total;
   brake<Partner>(balls, c, change, ledger);
+  return length(change) * inverseTurningInertia<Partner>(balls, c) * balls.radius[c.a];
 }
 
 template <class Partner>
@@ -241,25 +258,64 @@ void findSmallIslands(const ContactLists& contacts, std::size_t ballCount,
   }
 }
 
-/// Islands that are small enough get all their impulses at once.
-ResolvedCounts solveSmallIslands(const Settings& settings, Balls& balls,
-                                 ContactWorkspace& workspace, const Ledger& ledger) {
+bool anyImpact(std::span<Contact* const> island) {
+  return std::ranges::any_of(island, [](const Contact* c) { return c->impact; });
+}
+
+/// All impulses of an island at once. False: not found, and nothing has changed.
+bool solveDirectly(const Settings& settings, std::span<Contact* const> island, Balls& balls,
+                   DirectSolver& solver, const Ledger& ledger) {
+  if (!solver.solve(settings.friction, island, balls, settings.rollingResistance)) return false;
+  for (std::size_t i = 0; i < island.size(); ++i)
+    withPartner(*island[i], [&]<class Partner>() {
+      give<Partner>(solver.impulses()[i], balls, *island[i], ledger);
+    });
+  shareTogether(island, balls);
+  return true;
+}
+
+void solveByPasses(const Settings& settings, std::span<Contact* const> island, Balls& balls,
+                   const Ledger& ledger) {
+  double built = 0;
+  for (const Contact* c : island) built = std::max(built, c->acts ? c->builtUp : 0);
+  const int most =
+      anyImpact(island) ? settings.iterations : std::max(settings.iterations, kPassesAtRest);
+  double changed = std::numeric_limits<double>::infinity();
+  for (int pass = 0; pass < most && changed > kSolved * built; ++pass) {
+    changed = 0;
+    for (Contact* c : island) {
+      if (!c->acts) continue;
+      withPartner(*c, [&]<class Partner>() {
+        changed = std::max(changed, solveNormal<Partner>(balls, *c, ledger));
+        if (settings.friction > 0)
+          changed = std::max(changed, solveTangent<Partner>(settings.friction, balls, *c, ledger));
+        if (settings.rollingResistance > 0)
+          changed = std::max(changed,
+                             solveRolling<Partner>(settings.rollingResistance, balls, *c, ledger));
+      });
+    }
+  }
+  for (Contact* c : island) {
+    c->share = shareAlone(*c, balls);
+    c->isSolved = island.size() == 1;
+  }
+}
+
+ResolvedCounts solveIslands(const Settings& settings, Balls& balls, ContactWorkspace& workspace,
+                            const Ledger& ledger) {
   ResolvedCounts counts;
   for (std::size_t n = 0; n < workspace.islands.count(); ++n) {
     const auto island = workspace.islands.contacts(n);
     // One contact alone is solved by one pass, unless friction and resistance share its torque.
-    if ((island.size() < 2 && settings.rollingResistance == 0) || !island[0]->isSmall) continue;
-    if (!workspace.direct.solve(settings.friction, island, balls, settings.rollingResistance)) {
+    const bool isCoupled = island.size() > 1 || settings.rollingResistance > 0;
+    if (isCoupled && island[0]->isSmall && !anyImpact(island)) {
+      if (solveDirectly(settings, island, balls, workspace.direct, ledger)) {
+        counts.direct += static_cast<std::int64_t>(island.size());
+        continue;
+      }
       ++counts.unsolved;
-      continue;
     }
-    counts.direct += static_cast<std::int64_t>(island.size());
-    for (std::size_t i = 0; i < island.size(); ++i) {
-      const DirectSolver::Impulse& total = workspace.direct.impulses()[i];
-      withPartner(*island[i],
-                  [&]<class Partner>() { give<Partner>(total, balls, *island[i], ledger); });
-    }
-    shareTogether(island, balls);
+    solveByPasses(settings, island, balls, ledger);
   }
   return counts;
 }
@@ -269,9 +325,12 @@ template <class Partner>
 void pushOut(const Arena& arena, double h, Balls& balls, Contact& c) {
   if (!c.acts) return;
   Partner::touch(arena, balls, c);
+  const double left =
+      c.isSolved ? 0 : kLeftOverlap * std::min(balls.radius[c.a], Partner::radius(balls, c));
   const double leaving = std::max(0.0, -closingSpeed<Partner>(balls.velocity.data(), c)) * h;
   // However fast it leaves, a centre does not stay outside.
-  const double depth = std::max(-c.gap - leaving, -c.gap - kDeepest<Partner> * balls.radius[c.a]);
+  const double depth =
+      std::max(-c.gap - leaving - left, -c.gap - kDeepest<Partner> * balls.radius[c.a]);
   if (depth <= 0) return;
   const Vec3 shift = (kPushOut<Partner> * depth * normalMass(c)) * c.normal;
   balls.position[c.a] -= c.inverseMassA * shift;
@@ -317,18 +376,7 @@ ResolvedCounts resolveContacts(const Settings& settings, const Arena& arena, dou
     prepare<Partner>(settings, arena, h, velocityBefore, balls, c);
   });
   forEach(contacts, [&]<class Partner>(Contact& c) { warmStart<Partner>(balls, c, ledger); });
-  const ResolvedCounts counts = solveSmallIslands(settings, balls, workspace, ledger);
-  for (int pass = 0; pass < settings.iterations; ++pass)
-    forEach(contacts, [&]<class Partner>(Contact& c) {
-      if (!c.acts || c.isSolved) return;
-      solveNormal<Partner>(balls, c, ledger);
-      if (settings.friction > 0) solveTangent<Partner>(settings.friction, balls, c, ledger);
-      if (settings.rollingResistance > 0)
-        solveRolling<Partner>(settings.rollingResistance, balls, c, ledger);
-    });
-  forEach(contacts, [&]<class Partner>(Contact& c) {
-    if (!c.isSolved) c.share = shareAlone(c, balls);
-  });
+  const ResolvedCounts counts = solveIslands(settings, balls, workspace, ledger);
   const double normals = booking ? workOfNormals(contacts, balls) : 0;
   const Placement solved = booking ? placement() : Placement{};
   if (booking) {

@@ -15,6 +15,10 @@ std::string_view unitOf(ErrorKind kind) {
       return "1";
     case ErrorKind::Penetration:
       return "m^2";
+    case ErrorKind::Deformation:
+      return "m";
+    case ErrorKind::EndEnergy:
+      return "1";
   }
   return {};
 }
@@ -27,9 +31,23 @@ std::string_view describe(ErrorKind kind) {
       return "relative error of the energy, root mean square";
     case ErrorKind::Penetration:
       return "sum of the squares of all overlaps, mean";
+    case ErrorKind::Deformation:
+      return "largest change of a height or of a distance of two balls at the end";
+    case ErrorKind::EndEnergy:
+      return "relative error of the kinetic energy at the end";
   }
   return {};
 }
+
+namespace {
+
+std::vector<ExactPosition> columnOfTen() {
+  std::vector<ExactPosition> end;
+  for (std::uint32_t k = 0; k < 10; ++k) end.push_back({k, {0, 0.5 + k, 0}});
+  return end;
+}
+
+}  // namespace
 
 std::span<const AccuracyCase> accuracyCases() {
   static const std::vector<AccuracyCase> cases = {
@@ -124,6 +142,20 @@ std::span<const AccuracyCase> accuracyCases() {
        {{0, {4.166652619484130, 1, 0}},
         {1, {5.166673180882147, 1, 0}},
         {2, {6.166674199633723, 1, 0}}}},
+      {"pile-stands",
+       "friction just holds the four of a pile: nothing in it may move",
+       10,
+       {},
+       ErrorKind::Deformation},
+      {"pile-slips",
+       "friction is just too small: the top slips down, the others roll out",
+       1,
+       {{0, {0.6254079540729012, 0.5, 0}},
+        {1, {-0.3127039770364506, 0.5, 0.5416191759559833}},
+        {2, {-0.3127039770364506, 0.5, -0.5416191759559833}},
+        {3, {0, 1.280297950133376, 0}}}},
+      {"column", "balls exactly above each other, which the slightest push would topple", 1,
+       columnOfTen()},
       {"orbit",
        "six revolutions about a softened well",
        20,
@@ -155,6 +187,12 @@ std::span<const AccuracyCase> accuracyCases() {
        10,
        {},
        ErrorKind::Energy},
+      {"cooling-gas",
+       "temperature of a gas after 338 impacts that take energy",
+       2,
+       {},
+       ErrorKind::EndEnergy,
+       651.0805376505266},
   };
   return cases;
 }

@@ -18,12 +18,14 @@ struct ExactPosition {
   Vec3 position = Vec3::Zero();  // m
 };
 
-/// What is wrong in a run. The last two as SimBenchmark has them, over the states with which the
-/// steps begin.
+/// What is wrong in a run. Energy and Penetration as SimBenchmark has them, over the states with
+/// which the steps begin.
 enum class ErrorKind : std::uint8_t {
   Position,     // m, the largest distance of a ball at the end from where it must be
   Energy,       // root of the mean of (E - E0)^2, relative to E0, the energy of the start
   Penetration,  // m^2, mean of the sum of the squares of all overlaps
+  Deformation,  // m, the largest change of a height or of a distance between two balls at the end
+  EndEnergy,    // of the kinetic energy at the end, relative to what it must be
 };
 
 /// "m", "1" for a ratio, "m^2"
@@ -39,6 +41,7 @@ struct AccuracyCase {
   double duration;                 // s, from the scene's start
   std::vector<ExactPosition> end;  // empty where the error is of another kind
   ErrorKind error = ErrorKind::Position;
+  double endEnergy = 0;  // J, where that is what is known
 };
 
 std::span<const AccuracyCase> accuracyCases();

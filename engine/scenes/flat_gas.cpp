@@ -34,4 +34,10 @@ World makeFlatGas(std::size_t balls, std::uint64_t seed) {
   return world;
 }
 
+World makeCoolingGas(std::size_t balls, std::uint64_t seed) {
+  World world = makeFlatGas(balls, seed);
+  world.settings.elasticity = 0.9;
+  return world;
+}
+
 }  // namespace wells

@@ -12,4 +12,7 @@ namespace wells {
 /// R = 80 sqrt(N / 4000) m; 5 m/s in random horizontal directions. They stay in their plane.
 World makeFlatGas(std::size_t balls, std::uint64_t seed);
 
+/// The same with e = 0.9.
+World makeCoolingGas(std::size_t balls, std::uint64_t seed);
+
 }  // namespace wells

@@ -16,6 +16,8 @@ void ContactShares::add(const StepCounts& step, std::size_t balls) {
   impacts += step.impacts;
   clusters += step.clusters;
   handedOver += step.handedOver;
+  directContacts += step.directContacts;
+  unsolvedIslands += step.unsolvedIslands;
 }
 
 double ContactShares::exact() const {

@@ -15,7 +15,9 @@ struct ContactShares {
   std::int64_t substepBalls = 0;  // by substeps; the others touched nothing
   std::int64_t impacts = 0;
   std::int64_t clusters = 0;
-  std::int64_t handedOver = 0;  // islands that began as exact and were left to the substeps
+  std::int64_t handedOver = 0;       // islands that began as exact and were left to the substeps
+  std::int64_t directContacts = 0;   // of substeps, solved directly; once for each substep
+  std::int64_t unsolvedIslands = 0;  // small ones that the direct solver left to the passes
 
   void add(const StepCounts& step, std::size_t balls);
   double exact() const;    // 0 .. 1

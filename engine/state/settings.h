@@ -19,7 +19,7 @@ enum class ContactMethod {
   Exact,    // impacts at their own times within the step, one ball's rolling and sliding in reduced
             // coordinates, in the integrator's order; islands in which several contacts last are
             // left to the substeps
-  Auto      // Exact but for crowds, where it would buy nothing: by island and step
+  Auto      // Exact, but many balls whose contacts last stay in substeps for a while
 };
 
 inline constexpr std::array<std::string_view, 3> kContactMethodNames = {"substep", "exact", "auto"};

@@ -94,13 +94,14 @@ void transferContact(auto& bytes, auto& contact) {
 
 void transferMemory(auto& bytes, auto& memory) {
   constexpr std::size_t kContactSize = 4 + 4 + 1 + 8 + 24 + 24;
-  auto& [substep, ballContacts, arenaContacts, inSubsteps, carried] = memory;
+  auto& [substep, ballContacts, arenaContacts, stepsInSubsteps, carried] = memory;
   const auto transfer = [&](auto& contact) { transferContact(bytes, contact); };
   bytes.field(substep);
   bytes.list("memory.ballContacts", ballContacts, kContactSize, transfer);
   bytes.list("memory.arenaContacts", arenaContacts, kContactSize, transfer);
-  bytes.list("memory.inSubsteps", inSubsteps, 1,
-             [&](auto& flag) { bytes.choice("memory.inSubsteps of a ball", flag, 2); });
+  bytes.list("memory.stepsInSubsteps", stepsInSubsteps, 1, [&](auto& n) {
+    bytes.choice("memory.stepsInSubsteps of a ball", n, kCrowdSteps + 1);
+  });
   auto& [position, velocity, lastVelocity, force] = carried;
   transferVectors(bytes, "memory.carried.position", position);
   transferVectors(bytes, "memory.carried.velocity", velocity);

@@ -105,7 +105,7 @@ void requireMemory(const StepperMemory& memory, std::size_t balls) {
                   [](std::uint32_t b, std::size_t count) { return b < count; });
   requireContacts("memory.arenaContacts", memory.arenaContacts, balls,
                   [](std::uint32_t b, std::size_t) { return !isBall(b); });
-  requireNoneOrCount("memory.inSubsteps", memory.inSubsteps.size(), balls);
+  requireNoneOrCount("memory.stepsInSubsteps", memory.stepsInSubsteps.size(), balls);
   const StepperMemory::Carried& carried = memory.carried;
   requireNoneOrCount("memory.carried.position", carried.position.size(), balls);
   requireCount("memory.carried.velocity", carried.velocity.size(), carried.position.size());

@@ -31,6 +31,9 @@ struct StepCounts {
   std::int64_t flightStretches = 1;  // into which the flight of a step is divided (sharp wells)
 };
 
+/// For so many steps a crowd that exact impacts could not move goes by substeps.
+inline constexpr std::uint8_t kCrowdSteps = 30;
+
 /// What an engine remembers from one step to the next besides the World: with it, a run goes on
 /// with the same bits.
 struct StepperMemory {
@@ -43,10 +46,11 @@ struct StepperMemory {
     Vec3 tangentImpulse = Vec3::Zero();  // N s
     Vec3 rollingImpulse = Vec3::Zero();  // N m s
   };
-  double substep = 0;                    // s, in which they arose; 0: none did
-  std::vector<Contact> ballContacts;     // by (a, b)
-  std::vector<Contact> arenaContacts;    // by (a, b)
-  std::vector<std::uint8_t> inSubsteps;  // by ball, 1: its island was a crowd
+  double substep = 0;                  // s, in which they arose; 0: none did
+  std::vector<Contact> ballContacts;   // by (a, b)
+  std::vector<Contact> arenaContacts;  // by (a, b)
+  /// By ball: for so many steps more a crowd that it belongs to goes by substeps.
+  std::vector<std::uint8_t> stepsInSubsteps;
 
   /// What the balls of the custom integrator bring along; each list by ball.
   struct Carried {

@@ -9,7 +9,7 @@ bool isLossless(const Settings& settings) {
 }
 
 bool isCrowd(const Settings& settings, std::span<const std::uint32_t> island, const Balls& balls,
-             std::span<const std::uint8_t> inSubsteps) {
+             std::span<const std::uint8_t> stepsInSubsteps) {
   if (isLossless(settings)) return false;
   if (island.size() <= kCrowd / 2) return false;
   const double substep = settings.dt / settings.substeps;
@@ -17,8 +17,8 @@ bool isCrowd(const Settings& settings, std::span<const std::uint32_t> island, co
     return length(balls.velocity[i]) * substep > balls.radius[i];
   });
   if (anyFast) return false;
-  return island.size() > kCrowd || std::any_of(island.begin(), island.end(),
-                                               [&](std::uint32_t i) { return inSubsteps[i] != 0; });
+  return std::any_of(island.begin(), island.end(),
+                     [&](std::uint32_t i) { return stepsInSubsteps[i] > 0; });
 }
 
 }  // namespace wells

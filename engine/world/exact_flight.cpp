@@ -34,17 +34,19 @@ IslandFate ExactFlight::run(const StepInput& in, std::span<const std::uint32_t> 
                             std::span<const Contact> pairs, std::span<double> reach, Balls& balls) {
   if (anyOverlaps(*in.model.arena, pairs, balls)) return IslandFate::Sustained;
   begin(in, island, pairs, balls);
-  const IslandFate fate = simulate(in, pairs, reach, balls);
-  for (const std::uint32_t i : island)
-    balls.setState(i, fate == IslandFate::Done ? stateAt(in.model, path_[i], dt_) : start_[i]);
-  if (fate != IslandFate::Done) return fate;
-  bool anyTooFar = false;
-  for (const std::uint32_t i : island) anyTooFar |= isTooFar(in, i, dt_, balls, reach);
-  if (anyTooFar) {
-    for (const std::uint32_t i : island) balls.setState(i, start_[i]);
-    return IslandFate::TooFar;
+  IslandFate fate = simulate(in, pairs, reach, balls);
+  if (fate == IslandFate::Done)
+    for (const std::uint32_t i : island) {
+      balls.setState(i, stateAt(in.model, path_[i], dt_));
+      checkReach(in, i, dt_, balls, reach);
+    }
+  if (anyTooFar_) fate = IslandFate::TooFar;
+  for (const std::uint32_t i : island) {
+    if (fate == IslandFate::Done)
+      book(in, i, dt_, balls);
+    else
+      balls.setState(i, start_[i]);
   }
-  for (const std::uint32_t i : island) book(in, i, dt_, balls);
   return fate;
 }
 
@@ -55,11 +57,13 @@ void ExactFlight::begin(const StepInput& in, std::span<const std::uint32_t> isla
   books_ = {};
   ledger_ = {keepsBooks_ ? &books_ : nullptr, in.model.arena->center};
   motionsEnded_ = 0;
+  anyTooFar_ = false;
   mostInelastic_ = std::max(kMostInelasticImpacts,
                             kMostInelasticOfBall * static_cast<std::int64_t>(island.size()));
   events_.clear();
   path_.resize(balls.size());
   start_.resize(balls.size());
+  end_.resize(balls.size());
   version_.resize(balls.size());
   firstPair_.resize(balls.size());
   pairCount_.resize(balls.size());
@@ -118,7 +122,7 @@ IslandFate ExactFlight::simulate(const StepInput& in, std::span<const Contact> p
       // It closes by rounding alone, and nothing will press it: it need not be foreseen again.
       if (counts_.impacts == before) continue;
       for (const std::uint32_t i : clusterBalls_) {
-        if (isTooFar(in, i, event.time, balls, reach)) return IslandFate::TooFar;
+        checkReach(in, i, event.time, balls, reach);
         book(in, i, event.time, balls);
         path_[i] = pathFrom(in.model, balls.state(i), path_[i].radius, event.time);
         bookHold(i, balls.state(i), balls);
@@ -178,9 +182,12 @@ void ExactFlight::bookHold(std::uint32_t i, const BallState& before, const Balls
 }
 
 void ExactFlight::foreseeEndOfMotion(const StepInput& in, std::uint32_t ball) {
+  end_[ball] = dt_;
   if (path_[ball].motion == Motion::Flying) return;
   const double end = endOfMotion(in.model, path_[ball], dt_);
-  if (end < dt_) add({end, kEndOfMotion, ball, version_[ball], 0});
+  if (end >= dt_) return;
+  end_[ball] = end;
+  add({end, kEndOfMotion, ball, version_[ball], 0});
 }
 
 void ExactFlight::add(const Event& event) {
@@ -191,14 +198,17 @@ void ExactFlight::add(const Event& event) {
 bool ExactFlight::foresee(const StepInput& in, std::span<const Contact> pairs, std::uint32_t p) {
   const Contact& pair = pairs[p];
   const Path& a = path_[pair.a];
+  // Where a motion ends, its pairs are looked at again.
+  double until = end_[pair.a];
   Encounter next;
   std::uint32_t versionB = 0;
   if (isBall(pair.b)) {
     const Path& b = path_[pair.b];
     versionB = version_[pair.b];
-    next = encounterOfBalls(in.model, a, b, std::max(a.start, b.start), dt_);
+    until = std::min(until, end_[pair.b]);
+    next = encounterOfBalls(in.model, a, b, std::max(a.start, b.start), until);
   } else {
-    next = encounterWithArena(in.model, a, pair.b, a.start, dt_);
+    next = encounterWithArena(in.model, a, pair.b, a.start, until);
   }
   if (next.meeting == Meeting::Sustained) return false;
   if (next.meeting == Meeting::Impact) add({next.time, p, pair.a, version_[pair.a], versionB});
@@ -206,8 +216,8 @@ bool ExactFlight::foresee(const StepInput& in, std::span<const Contact> pairs, s
 }
 
 bool ExactFlight::foreseeCluster(const StepInput& in, std::span<const Contact> pairs) {
+  for (const std::uint32_t i : clusterBalls_) foreseeEndOfMotion(in, i);
   for (const std::uint32_t i : clusterBalls_) {
-    foreseeEndOfMotion(in, i);
     for (std::uint32_t k = 0; k < pairCount_[i]; ++k) {
       const std::uint32_t p = pairsOf_[firstPair_[i] + k];
       if (inCluster_[p]) continue;  // foreseen from its other ball
@@ -297,8 +307,8 @@ bool ExactFlight::isTooSlow(const StepInput& in, double time, const Balls& balls
   });
 }
 
-bool ExactFlight::isTooFar(const StepInput& in, std::uint32_t ball, double t, const Balls& balls,
-                           std::span<double> reach) const {
+void ExactFlight::checkReach(const StepInput& in, std::uint32_t ball, double t, const Balls& balls,
+                             std::span<double> reach) {
   const double left = dt_ - t;
   const BallState now = balls.state(ball);
   const double ahead =
@@ -307,9 +317,9 @@ bool ExactFlight::isTooFar(const StepInput& in, std::uint32_t ball, double t, co
                 left
           : 0;
   const double moved = length(now.position - start_[ball].position) + ahead;
-  if (!(moved > reach[ball])) return false;  // what is not finite has no reach
+  if (!(moved > reach[ball])) return;  // what is not finite has no reach
   reach[ball] = 2 * moved;
-  return true;
+  anyTooFar_ = true;
 }
 
 }  // namespace wells

@@ -35,7 +35,8 @@ enum class IslandFate : std::uint8_t {
 };
 
 /// After so many attempts at a step with ever larger reaches an island that is still thrown beyond
-/// them is left to the substeps: it is not worth more.
+/// them is left to the substeps: it is not worth more. Not so where impacts are lossless, which
+/// substeps would not keep so: there attempts go on until reaches suffice.
 inline constexpr int kMostExactAttempts = 8;
 
 /// The method of a step: what is asked for, but substeps where the integrator has no dense output.
@@ -120,13 +121,15 @@ class ExactFlight {
                        const Balls& balls) const;
   bool mayBePressed(const StepInput& in, double time, const Balls& balls) const;
   bool isTooSlow(const StepInput& in, double time, const Balls& balls) const;
-  /// At time t: whether the ball may leave its reach by the end of the step, which then grows.
-  bool isTooFar(const StepInput& in, std::uint32_t ball, double t, const Balls& balls,
-                std::span<double> reach) const;
+  /// At time t: where the ball may leave its reach by the end of the step, it grows. The run goes
+  /// on, to find all that are too short before the step starts over.
+  void checkReach(const StepInput& in, std::uint32_t ball, double t, const Balls& balls,
+                  std::span<double> reach);
 
   // By ball, sized for the world; only those of the island are valid.
   std::vector<Path> path_;
   std::vector<BallState> start_;
+  std::vector<double> end_;             // s, of its path; at most dt_
   std::vector<std::uint32_t> version_;  // rises at each event of the ball
   std::vector<std::uint32_t> firstPair_;
   std::vector<std::uint32_t> pairCount_;
@@ -142,6 +145,7 @@ class ExactFlight {
   Books books_;
   Ledger ledger_;
   std::int64_t motionsEnded_ = 0;
+  bool anyTooFar_ = false;
   std::int64_t mostInelastic_ = 0;
   double dt_ = 0;  // s
 };

@@ -42,7 +42,7 @@ class Simulation : public Stepper {
     keeper_.beginStep(world, field_);
     findReaches(world);
     start_ = world.balls;
-    inSubsteps_.resize(world.balls.size(), 0);
+    stepsInSubsteps_.resize(world.balls.size(), 0);
     // A ball that is thrown beyond its reach may have missed a pair: the step starts over with a
     // larger one. Reaches at least double each time, so that ends.
     method_ = methodOf(world.settings, field_, integrator);
@@ -58,13 +58,13 @@ class Simulation : public Stepper {
 
   const StepperMemory* memory() const override {
     contactMemory_.save(memory_);
-    memory_.inSubsteps = inSubsteps_;
+    memory_.stepsInSubsteps = stepsInSubsteps_;
     return &memory_;
   }
 
   void restore(const StepperMemory& memory) override {
     contactMemory_.restore(memory);
-    inSubsteps_ = memory.inSubsteps;
+    stepsInSubsteps_ = memory.stepsInSubsteps;
   }
 
  private:
@@ -91,7 +91,7 @@ class Simulation : public Stepper {
   void commit(World& world, const Integrator& integrator) {
     ++world.step;
     contactMemory_.keep(plan_.ballContacts, plan_.arenaContacts, substepOf(world.settings));
-    std::swap(inSubsteps_, nextInSubsteps_);
+    std::swap(stepsInSubsteps_, nextStepsInSubsteps_);
     if (!world.roles.empty()) findLeaning(world.leaning);
     keeper_.endStep(world, field_, stepBooks_);
     findQuarantined(world.balls);
@@ -136,19 +136,22 @@ class Simulation : public Stepper {
       const auto island = islands_.balls(n);
       if (std::any_of(island.begin(), island.end(), [&](auto i) { return isLeaning[i] != 0; }))
         continue;
-      if (method_ == ContactMethod::Auto && isCrowd(world.settings, island, balls, inSubsteps_)) {
-        for (const std::uint32_t i : island) nextInSubsteps_[i] = 1;
+      if (method_ == ContactMethod::Auto &&
+          isCrowd(world.settings, island, balls, stepsInSubsteps_)) {
+        for (const std::uint32_t i : island)
+          if (stepsInSubsteps_[i] > 0) nextStepsInSubsteps_[i] = stepsInSubsteps_[i] - 1;
         continue;
       }
       const IslandFate fate = exact_.run(input, island, islands_.pairs(n), reach_, balls);
       if (fate == IslandFate::TooFar && whenTooFar == WhenTooFar::StartOver) {
-        shareReaches(islands_.pairs(n));
         isComplete = false;
         continue;
       }
       if (fate == IslandFate::TooMany && method_ == ContactMethod::Exact) giveUp(world, island);
       if (fate != IslandFate::Done) {
         ++counts_.handedOver;
+        if (island.size() > kCrowd)
+          for (const std::uint32_t i : island) nextStepsInSubsteps_[i] = kCrowdSteps;
         continue;
       }
       for (const std::uint32_t i : island) isDone_[i] = 1;
@@ -162,13 +165,6 @@ class Simulation : public Stepper {
     std::erase_if(plan_.ballContacts, isDone);
     std::erase_if(plan_.arenaContacts, isDone);
     return true;
-  }
-
-  /// A ball may be thrown about as far as the one that hits it. Without this, in a dense island the
-  /// attempts would find one ball after the other.
-  void shareReaches(std::span<const Contact> pairs) {
-    for (const Contact& c : pairs)
-      if (isBall(c.b)) reach_[c.a] = reach_[c.b] = std::max(reach_[c.a], reach_[c.b]);
   }
 
   [[noreturn]] static void giveUp(const World& world, std::span<const std::uint32_t> island) {
@@ -194,7 +190,7 @@ class Simulation : public Stepper {
     counts_.contacts =
         static_cast<std::int64_t>(plan_.ballContacts.size() + plan_.arenaContacts.size());
     isDone_.assign(world.balls.size(), 0);
-    nextInSubsteps_.assign(world.balls.size(), 0);
+    nextStepsInSubsteps_.assign(world.balls.size(), 0);
   }
 
   void startFromOldImpulses(const World& world) {
@@ -237,7 +233,7 @@ class Simulation : public Stepper {
   // Kept from step to step.
   Candidates candidates_;
   ContactMemory contactMemory_;
-  std::vector<std::uint8_t> inSubsteps_;  // by ball, see StepperMemory
+  std::vector<std::uint8_t> stepsInSubsteps_;  // by ball, see StepperMemory
   BookKeeper keeper_;
   // Of the last step.
   StepCounts counts_;
@@ -255,7 +251,7 @@ class Simulation : public Stepper {
   Books stepBooks_;
   std::vector<std::uint8_t> isDone_;  // by ball: moved by events
   std::vector<std::uint8_t> isTouching_;
-  std::vector<std::uint8_t> nextInSubsteps_;
+  std::vector<std::uint8_t> nextStepsInSubsteps_;
 };
 
 }  // namespace

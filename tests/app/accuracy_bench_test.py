@@ -13,8 +13,8 @@ import unittest
 from peers import run
 
 POINTS = ("case,engine,integrator,contacts,dt,steps,error,error_unit,energy_error,escaped,cpu_s,"
-          "repeats,exact_share,substep_share,impacts,handed_over,contacts_J,friction_J,drag_J,wells_J,"
-          "push_out_J,flight_J,state_hash,commit,compiler,flags,cpu")
+          "repeats,exact_share,substep_share,impacts,handed_over,direct_contacts,unsolved_islands,"
+          "contacts_J,friction_J,drag_J,wells_J,push_out_J,flight_J,state_hash,commit,compiler,flags,cpu")
 OVERVIEW = ("case,error,error_unit,ours_cpu_s,best_of_ours_cpu_s,best_of_ours,published_cpu_s,published,"
             "textbook_cpu_s,textbook,bullet_cpu_s,ratio_published,ratio_textbook,ratio_bullet")
 REFERENCES = ("reference-euler", "reference-improved-euler", "reference-rk", "reference-heun",

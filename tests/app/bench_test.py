@@ -10,8 +10,9 @@ import unittest
 from peers import run
 
 HEADER = ("scene,engine,integrator,contacts,balls,dt,steps,threads,ms_per_step,ms_per_step_last100,"
-          "max_overlap_m,energy_start_J,energy_end_J,kinetic_start_J,kinetic_end_J,escaped,settled_s,"
-          "moved_m,kinetic_rise_J,exact_share,substep_share,impacts,handed_over,contacts_J,friction_J,drag_J,wells_J,push_out_J,flight_J,peak_rss_MiB,"
+          "max_overlap_m,ball_overlap_m,ground_overlap_m,wall_overlap_m,energy_start_J,energy_end_J,"
+          "kinetic_start_J,kinetic_end_J,escaped,settled_s,"
+          "moved_m,kinetic_rise_J,exact_share,substep_share,impacts,handed_over,direct_contacts,unsolved_islands,contacts_J,friction_J,drag_J,wells_J,push_out_J,flight_J,peak_rss_MiB,"
           "state_hash,commit,compiler,flags,cpu")
 SOURCES = ("contacts_J", "friction_J", "drag_J", "wells_J", "push_out_J", "flight_J")
 ENGINES = ("ours", "reference-euler", "reference-improved-euler", "reference-rk", "bullet")
@@ -54,6 +55,30 @@ class Bench(unittest.TestCase):
         self.assertEqual([row["threads"] for row in rows], ["1", "1", "2", "4"])
         self.assertEqual(len({row["state_hash"] for row in rows}), 1)
         self.assertEqual({row["escaped"] for row in rows}, {"0"})
+
+    def test_a_curve_has_a_point_for_each_setting_and_one_for_bullet(self):
+        folder = self.csv.parent / "curve"
+        done = run("bench", "curve", "--balls", 50, "--steps", 5, "--repeats", 2, "--substeps", "1,4",
+                   "--iterations", "2,8", "--out", folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(folder / "curve.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([(row["engine"], row["substeps"], row["iterations"]) for row in rows],
+                         [("bullet", "1", "")] + [("ours", s, i) for s in "14" for i in "28"])
+        self.assertEqual(float(rows[0]["times_bullet"]), 1)
+        self.assertEqual({row["escaped"] for row in rows}, {"0"})
+        self.assertEqual((folder / "curve.png").read_bytes()[:4], b"\x89PNG")
+        self.assertEqual(sorted(path.name for path in folder.iterdir()),
+                         ["curve.csv", "curve.gp", "curve.png", "curve.txt"])
+        # A row is what the same settings give alone.
+        alone = self.rows("--balls", 50, "--steps", 5, "--substeps", 4, "--iterations", 8)
+        self.assertEqual(rows[-1]["state_hash"], alone[-1]["state_hash"])
+
+    def test_contacts_solved_directly_are_counted_in_each_substep(self):
+        row = self.rows("--scene", "pile-stands", "--steps", 20)[-1]
+        contacts, substeps = 6, 4
+        self.assertEqual(int(row["direct_contacts"]), contacts * substeps * 20)
+        self.assertEqual(row["unsolved_islands"], "0")
 
     def test_a_target_error_chooses_for_the_scene(self):
         done = run("bench", "--csv", self.csv, "--scene", "orbit-short", "--target-error", "1e-6")
@@ -117,6 +142,8 @@ class Bench(unittest.TestCase):
                 (("--dt", 2), "--dt 2"),
                 (("--integrator", "magic"), "allowed: symplectic-euler, leapfrog, heun, rk4, pefrl"),
                 (("--from", "rest"), "--from rest: no such moment; allowed: start, settled"),
+                (("curve", "--substeps", "4,0"), "--substeps 4,0: "),
+                (("curve", "--scene", "T9"), "--scene T9: scene 'T9' is unknown"),
                 (("--steps", "many"), "--steps many")):
             with self.subTest(arguments=arguments):
                 done = run("bench", *arguments)

@@ -49,8 +49,29 @@ TEST(CaseError, PositionIsThatOfTheEnd) {
   EXPECT_NEAR(error.atTheEnd(world), 1.5, 1e-15);
 }
 
+TEST(CaseError, DeformationIsTheLargestChangeOfADistanceOrAHeight) {
+  const AccuracyCase answer{"", "", 1, {}, ErrorKind::Deformation};
+  World world = twoBalls();
+  const CaseError error(answer, world);
+  world.balls.position = {{7, 1, 7}, {7, 1, 10}};  // turned and moved as a whole
+  EXPECT_NEAR(error.atTheEnd(world), 0, 1e-15);
+  world.balls.position[1].z() = 10.25;
+  EXPECT_NEAR(error.atTheEnd(world), 0.25, 1e-15);
+  for (Vec3& position : world.balls.position) position.y() = 0.5;
+  EXPECT_NEAR(error.atTheEnd(world), 0.5, 1e-15);
+}
+
+TEST(CaseError, EndEnergyIsRelativeToWhatItMustBe) {
+  const AccuracyCase answer{"", "", 1, {}, ErrorKind::EndEnergy, 8};
+  World world = twoBalls();
+  const CaseError error(answer, world);
+  world.balls.velocity[1] = {0, 3, 0};  // 9 J
+  EXPECT_NEAR(error.atTheEnd(world), 0.125, 1e-15);
+}
+
 TEST(CaseError, IsInfiniteWhereABallIsNotFinite) {
-  for (const ErrorKind kind : {ErrorKind::Position, ErrorKind::Energy, ErrorKind::Penetration}) {
+  for (const ErrorKind kind : {ErrorKind::Position, ErrorKind::Energy, ErrorKind::Penetration,
+                               ErrorKind::Deformation, ErrorKind::EndEnergy}) {
     const AccuracyCase answer{"", "", 1, {{0, {0, 1, 0}}}, kind};
     World world = twoBalls();
     CaseError error(answer, world);

@@ -7,6 +7,7 @@
 #include "support/gas_measures.h"
 #include "support/gas_theory.h"
 #include "support/wall_impulses.h"
+#include "world/measures.h"
 #include "world/simulation.h"
 
 namespace wells {
@@ -44,6 +45,31 @@ TEST(FlatGas, StaysFlat) {
     ASSERT_EQ(world.balls.velocity[i].y(), 0);
   }
   EXPECT_EQ(length(simulation->books()->ground.linear), 0);
+}
+
+// Impacts that take energy, in steps of any length: they have their own times, so that the length
+// changes no digit but the last (and those that each of the few impacts of a ball magnifies).
+TEST(FlatGas, CoolsAlikeInStepsOfAnyLength) {
+  double expected = 0;
+  for (const double dt : {1.0 / 60, 0.05, 0.1, 0.2}) {
+    World world = makeFlatGas(4000, 3);
+    world.settings.elasticity = 0.9;
+    world.settings.dt = dt;
+    const auto simulation = makeSimulation();
+    double energy = kineticEnergy(world.balls);
+    const double start = energy;
+    for (int i = 0; i < std::lround(1.6 / dt); ++i) {
+      simulation->step(world);
+      ASSERT_EQ(simulation->counts().substepBalls, 0) << dt;
+      const double now = kineticEnergy(world.balls);
+      ASSERT_LE(now, energy) << dt;
+      energy = now;
+    }
+    if (expected == 0) expected = energy;
+    EXPECT_NEAR(energy / expected, 1, 1e-9) << dt;
+    EXPECT_LT(energy, 0.8 * start);
+    EXPECT_LE(measure(world).worstOverlap(), 1e-12) << dt;
+  }
 }
 
 // How the pressure is read, on a world whose hits of the wall are known: two balls that go back and

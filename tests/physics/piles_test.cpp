@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "scenes/exact_answers.h"
 #include "scenes/piles.h"
 #include "world/measures.h"
 #include "world/simulation.h"
@@ -117,6 +118,25 @@ TEST(TetrahedralPile, FallsWithFrictionOf30) {
     EXPECT_NEAR(pile.moved(3).y() / half / -0.0537744, 1, 0.01) << step;
   }
   EXPECT_EQ(pile.unsolved, 0);
+}
+
+// To where the equations of the falling pile end after 1 s (tests/scenes derives that): the error
+// falls with the square of the step.
+TEST(TetrahedralPile, FallsToWhereItMust) {
+  const AccuracyCase& answer = findAccuracyCase("pile-slips");
+  double before = 0;
+  for (const double dt : {1.0 / 30, 1.0 / 60, 1.0 / 120, 1.0 / 240}) {
+    World world = makeTetrahedralPile(0.30);
+    world.settings.dt = dt;
+    Pile pile(world);
+    while (pile.world.time() < answer.duration - dt / 2) pile.step();
+    const double error = positionError(answer, pile.world);
+    EXPECT_LE(error, 3e-7 * (60 * dt) * (60 * dt));
+    if (before > 0) {
+      EXPECT_NEAR(before / error, 4, 0.1);
+    }
+    before = error;
+  }
 }
 
 TEST(Column, OfTenCarriesItsWeightAndStaysOnItsAxis) {

@@ -170,6 +170,71 @@ TEST(ExactAnswers, CollapseMovesAsOne) {
   expectAnswer("collapse", {{middle - 1, 1, 0}, {middle, 1, 0}, {middle + 1, 1, 0}});
 }
 
+/// A tetrahedral pile that falls without leaning, by the angle a between the vertical and the lines
+/// from the lower centres to the upper: R = sin a from the axis, h = cos a above. With N and mu N
+/// at the upper contacts, and the lower balls rolling,
+///   7/5 R'' = N (sin a - mu (1 + cos a)),  h'' = -g + 3 N (cos a + mu sin a).
+struct FallingPile {
+  oracle::Real g, mu;
+
+  struct State {
+    oracle::Real a, w;
+  };
+
+  oracle::Real acceleration(const State& now) const {
+    const oracle::Real s = std::sin(now.a), c = std::cos(now.a);
+    const oracle::Real k = 21 / 5.0L * (c + mu * s) / (s - mu * (1 + c));
+    return (g - c * now.w * now.w + k * s * now.w * now.w) / (s + k * c);
+  }
+
+  /// By the classical Runge-Kutta method in n steps.
+  State after(oracle::Real duration, State now, int n) const {
+    const oracle::Real h = duration / n;
+    const auto slope = [&](const State& x) { return State{x.w, acceleration(x)}; };
+    const auto on = [](const State& x, oracle::Real t, const State& d) {
+      return State{x.a + t * d.a, x.w + t * d.w};
+    };
+    for (int i = 0; i < n; ++i) {
+      const State k1 = slope(now), k2 = slope(on(now, h / 2, k1)), k3 = slope(on(now, h / 2, k2)),
+                  k4 = slope(on(now, h, k3));
+      now = on(now, h / 6, {k1.a + 2 * k2.a + 2 * k3.a + k4.a, k1.w + 2 * k2.w + 2 * k3.w + k4.w});
+    }
+    return now;
+  }
+};
+
+TEST(ExactAnswers, APileThatSlips) {
+  const oracle::Real sine60 = std::sqrt(3.0L) / 2;
+  const FallingPile pile{9.81L, 0.3L};
+  const oracle::Real start = std::asin((1 + 1e-6L) / std::sqrt(3.0L));
+  EXPECT_NEAR(static_cast<double>(pile.acceleration({start, 0}) * std::cos(start)), 0.0760485,
+              2e-6);
+  const oracle::Real a = pile.after(findAccuracyCase("pile-slips").duration, {start, 0}, 2000).a;
+  const oracle::Real r = std::sin(a);
+  expectAnswer("pile-slips", {{r, 0.5L, 0},
+                              {-r / 2, 0.5L, sine60 * r},
+                              {-r / 2, 0.5L, -sine60 * r},
+                              {0, 0.5L + std::cos(a), 0}});
+}
+
+TEST(ExactAnswers, AColumnStands) {
+  std::vector<oracle::P> end;
+  for (int k = 0; k < 10; ++k) end.push_back({0, 0.5L + k, 0});
+  expectAnswer("column", end);
+}
+
+// 338 impacts: a ball moved by 1e-15 m would change the energy by 1e-12.
+TEST(ExactAnswers, AGasThatCools) {
+  const World world = makeScene(findScene("cooling-gas"));
+  const AccuracyCase& answer = findAccuracyCase("cooling-gas");
+  std::vector<oracle::Body> bodies = oracle::bodiesOf(world);
+  const oracle::Hits hits = oracle::fly(oracle::rulesOf(world), bodies, answer.duration);
+  oracle::Real energy = 0;
+  for (const oracle::Body& body : bodies) energy += body.m / 2 * oracle::inner(body.v, body.v);
+  EXPECT_EQ(hits.count, 338);
+  EXPECT_NEAR(answer.endEnergy / static_cast<double>(energy), 1, 1e-14) << hits.count;
+}
+
 TEST(ExactAnswers, PathsAboutWells) {
   for (const char* name : {"orbit", "orbit-short", "circular-orbit", "through-the-centre",
                            "well-bounces", "well-bounces-long"}) {

@@ -75,7 +75,7 @@ inline Snapshot anySnapshot(std::uint64_t seed, std::size_t balls) {
     world.balls.add({anyVector(random), anyVector(random), anyVector(random)}, anyLength(random),
                     anyLength(random));
     world.roles.push_back(random.below(2) == 1 ? Role::Ghost : Role::Owned);
-    s.memory.inSubsteps.push_back(static_cast<std::uint8_t>(random.below(2)));
+    s.memory.stepsInSubsteps.push_back(static_cast<std::uint8_t>(random.below(kCrowdSteps + 1)));
   }
   world.step = static_cast<std::int64_t>(random.below(1ull << 50)) + 1;
   for (std::uint32_t i = 1; i < balls; ++i) {
@@ -147,7 +147,7 @@ inline void expectSame(const Snapshot& a, const Snapshot& b) {
   EXPECT_EQ(a.world.step, b.world.step);
   EXPECT_TRUE(same(a.memory.ballContacts, b.memory.ballContacts));
   EXPECT_TRUE(same(a.memory.arenaContacts, b.memory.arenaContacts));
-  EXPECT_EQ(a.memory.inSubsteps, b.memory.inSubsteps);
+  EXPECT_EQ(a.memory.stepsInSubsteps, b.memory.stepsInSubsteps);
   EXPECT_TRUE(same(a.memory.carried.position, b.memory.carried.position));
   EXPECT_TRUE(same(a.memory.carried.velocity, b.memory.carried.velocity));
   EXPECT_TRUE(same(a.memory.carried.lastVelocity, b.memory.carried.lastVelocity));

@@ -226,8 +226,10 @@ TEST(Snapshot, NamesTheFieldThatIsOutOfRange) {
        [](Snapshot& s) { s.memory.ballContacts[1] = s.memory.ballContacts[0]; }},
       {"memory.arenaContacts[0].b = 0; ", [](Snapshot& s) { s.memory.arenaContacts[0].b = 0; }},
       {"memory.substep = -1; ", [](Snapshot& s) { s.memory.substep = -1; }},
-      {"memory.inSubsteps of a ball = 2; ", [](Snapshot& s) { s.memory.inSubsteps[0] = 2; }},
-      {"length of memory.inSubsteps = 1; ", [](Snapshot& s) { s.memory.inSubsteps.resize(1); }},
+      {"memory.stepsInSubsteps of a ball = 31; ",
+       [](Snapshot& s) { s.memory.stepsInSubsteps[0] = 31; }},
+      {"length of memory.stepsInSubsteps = 1; ",
+       [](Snapshot& s) { s.memory.stepsInSubsteps.resize(1); }},
       {"length of memory.carried.force = 0; ", [](Snapshot& s) { s.memory.carried.force.clear(); }},
   };
   for (const BadField& bad : cases) {

@@ -15,30 +15,27 @@ struct Island {
   Settings settings;
   Balls balls;
   std::vector<std::uint32_t> ids;
-  std::vector<std::uint8_t> inSubsteps;
+  std::vector<std::uint8_t> stepsInSubsteps;
 
-  explicit Island(std::size_t count) : ids(count), inSubsteps(count, 0) {
+  explicit Island(std::size_t count, std::uint8_t steps = 1) : ids(count) {
     std::iota(ids.begin(), ids.end(), 0u);
+    stepsInSubsteps.assign(count, 0);
+    stepsInSubsteps.back() = steps;
     for (std::size_t i = 0; i < count; ++i)
       balls.add({.position = {static_cast<double>(i), 1, 0}}, 0.5, 1);
   }
 
-  bool isCrowd() const { return wells::isCrowd(settings, ids, balls, inSubsteps); }
+  bool isCrowd() const { return wells::isCrowd(settings, ids, balls, stepsInSubsteps); }
 };
 
-TEST(ContactChoice, ManyBallsAreACrowd) {
-  EXPECT_FALSE(Island(kCrowd).isCrowd());
-  EXPECT_TRUE(Island(kCrowd + 1).isCrowd());
+TEST(ContactChoice, ManyBallsAreACrowdOnlyWhereContactsLasted) {
+  EXPECT_TRUE(Island(10 * kCrowd, 1).isCrowd());
+  EXPECT_FALSE(Island(10 * kCrowd, 0).isCrowd());
 }
 
 TEST(ContactChoice, ACrowdRemainsOneUntilItIsHalfAsLarge) {
-  Island half(kCrowd / 2 + 1);
-  EXPECT_FALSE(half.isCrowd());
-  half.inSubsteps[7] = 1;
-  EXPECT_TRUE(half.isCrowd());
-  Island small(kCrowd / 2);
-  small.inSubsteps.assign(small.ids.size(), 1);
-  EXPECT_FALSE(small.isCrowd());
+  EXPECT_TRUE(Island(kCrowd / 2 + 1).isCrowd());
+  EXPECT_FALSE(Island(kCrowd / 2).isCrowd());
 }
 
 TEST(ContactChoice, ElasticBallsWithoutFrictionAreNeverOne) {
@@ -75,16 +72,19 @@ World manyImpacts(ContactMethod method) {
   return world;
 }
 
-/// Two blocks of 40 balls with gaps of 0.1 m that drift apart.
+/// Two blocks of 40 balls with gaps of 0.1 m that drift apart. In each, two balls overlap at first:
+/// that is for the substeps.
 World partingBlocks() {
   World world;
   world.settings.gravity = Vec3::Zero();
-  for (const double side : {-1.0, 1.0})
+  for (const double side : {-1.0, 1.0}) {
     for (int x = 0; x < 10; ++x)
       for (int y = 0; y < 4; ++y)
         world.balls.add(
-            {.position = {side * (0.55 + 1.1 * x), 1 + 1.1 * y, 0}, .velocity = {side * 0.2, 0, 0}},
+            {.position = {side * (0.55 + 1.1 * x), 1 + 1.1 * y, 0}, .velocity = {side * 0.4, 0, 0}},
             0.5, 1);
+    world.balls.position.back().y() -= 0.11;
+  }
   return world;
 }
 
@@ -92,12 +92,30 @@ TEST(ContactChoice, IsRememberedFromStepToStep) {
   World world = partingBlocks();
   const auto simulation = makeSimulation();
   simulation->step(world);
+  EXPECT_EQ(simulation->counts().handedOver, 1);
   EXPECT_EQ(simulation->counts().substepBalls, 80) << "one crowd";
-  for (int step = 0; step < 120; ++step) simulation->step(world);  // 0.8 m apart: two islands
-  EXPECT_EQ(simulation->counts().substepBalls, 80) << "two halves of a crowd";
-  const auto fresh = makeSimulation();
-  fresh->step(world);
-  EXPECT_EQ(fresh->counts().exactBalls, 80) << "never were a crowd";
+  for (int step = 0; step < kCrowdSteps; ++step) {
+    simulation->step(world);
+    EXPECT_EQ(simulation->counts().handedOver, 0);
+    EXPECT_EQ(simulation->counts().substepBalls, 80) << "and two halves of it, 0.5 m apart";
+  }
+  simulation->step(world);
+  EXPECT_EQ(simulation->counts().exactBalls, 80) << "nothing overlaps any more";
+}
+
+// A heap is tried once, and then not for kCrowdSteps steps.
+TEST(ContactChoice, AHeapIsSeldomTried) {
+  World world;
+  for (int x = 0; x < 5; ++x)
+    for (int y = 0; y < 4; ++y)
+      for (int z = 0; z < 5; ++z)
+        world.balls.add({.position = {x + 0.0, 0.5 + y, z + 0.0}}, 0.5, 1);
+  const auto simulation = makeSimulation();
+  for (int step = 0; step < 3 * (kCrowdSteps + 1); ++step) {
+    simulation->step(world);
+    ASSERT_EQ(simulation->counts().substepBalls, 100);
+    ASSERT_EQ(simulation->counts().handedOver, step % (kCrowdSteps + 1) == 0 ? 1 : 0) << step;
+  }
 }
 
 TEST(MostImpacts, StopsAnExactStepAndLeavesTheWorldAsItWas) {
