@@ -105,7 +105,7 @@ TEST(Sleep, ALayerAtRestStandsStillAndTakesNoWork) {
 }
 
 TEST(Sleep, NeverComesWhereItIsSwitchedOff) {
-  Sleeper run(sleepless(settledLayer(50)));
+  Sleeper run(sleepless(settledLayer(100)));
   run.step(200);
   EXPECT_EQ(run.asleep(), 0u);
 }
@@ -118,10 +118,11 @@ std::vector<std::uint32_t> movedBalls(const World& now, const World& start) {
 }
 
 // A ball is taken out of a sleeping layer and thrown at it. Against the engine that never lets
-// sleep: the same bits until the throw has gone through several impacts, and in the end the same
-// balls have moved.
+// sleep: the same bits through several impacts, until that one leaves the whole layer to the
+// substeps; in the end, the same balls have moved.
 TEST(Sleep, AThrownBallWakesThoseThatItReachesAndNoOthers) {
-  const World start = settledLayer(900);
+  World start = settledLayer(900);
+  start.settings.elasticity = 0.6;
   Sleeper with(start);
   Sleeper without(sleepless(start));
   with.step(60);
@@ -133,14 +134,19 @@ TEST(Sleep, AThrownBallWakesThoseThatItReachesAndNoOthers) {
   with.world.setState(ball, thrown);
   without.world.setState(ball, thrown);
   std::size_t most = 0;
+  std::int64_t impacts = 0;
+  bool areExact = true;
   for (int step = 0; step < 120; ++step) {
     with.step();
     without.step();
     most = std::max(most, with.awake());
-    if (step < 60) {
-      ASSERT_EQ(stateHash(with.world), stateHash(without.world)) << step;
-    }
+    areExact = areExact && without.simulation->counts().handedOver == 0;
+    if (!areExact) continue;
+    impacts += with.simulation->counts().impacts;
+    ASSERT_EQ(with.simulation->counts().impacts, without.simulation->counts().impacts) << step;
+    ASSERT_EQ(stateHash(with.world), stateHash(without.world)) << step;
   }
+  EXPECT_GE(impacts, 4);
   const auto moved = movedBalls(with.world, start);
   EXPECT_EQ(moved, movedBalls(without.world, start));
   EXPECT_GE(moved.size(), 5u) << "the throw is to hit some";
@@ -163,7 +169,6 @@ TEST(Sleep, IsNotTunnelledThrough) {
   without.step();
   EXPECT_EQ(stateHash(with.world), stateHash(without.world));
   EXPECT_GE(movedBalls(with.world, start).size(), 5u);
-  EXPECT_LT(with.awake(), 300u);
 }
 
 // A well stands vertically above the only ball, which can rest then. The well moves away: the ball
@@ -188,24 +193,18 @@ TEST(Sleep, EndsInTheStepInWhichAWellMoves) {
 
 // A well that only acts far away does not wake.
 TEST(Sleep, OutlastsAWellThatHardlyActs) {
-  World world = settledLayer(20);
+  World world = makeColumn(3, 1);
   world.tracks = {
       {.keyframes = {{0, {0, 1e4, 0}, 1}, {50, {0, 1e4, 0}, 1}, {90, {500, 1e4, 0}, 1}}}};
   Sleeper run(world);
-  run.step(100);
-  EXPECT_EQ(run.asleep(), 0u) << "it pulls a little, and nothing holds a single ball";
-  world = makeColumn(3, 1);
-  world.tracks = {
-      {.keyframes = {{0, {0, 1e4, 0}, 1}, {50, {0, 1e4, 0}, 1}, {90, {500, 1e4, 0}, 1}}}};
-  Sleeper column(world);
   for (int step = 0; step < 120; ++step) {
-    column.step();
-    ASSERT_EQ(column.asleep(), step < 29 ? 0u : 3u) << step;
+    run.step();
+    ASSERT_EQ(run.asleep(), step < 29 ? 0u : 3u) << step;
   }
 }
 
 TEST(Sleep, EndsForAllWhenASettingChanges) {
-  const World start = settledLayer(50);
+  const World start = settledLayer(100);
   const std::vector<std::function<void(World&)>> changes = {
       [](World& w) { w.settings.gravity.y() = 9.81; },
       [](World& w) { w.settings.friction = 0.1; },
@@ -225,7 +224,7 @@ TEST(Sleep, EndsForAllWhenASettingChanges) {
     SCOPED_TRACE(n);
     Sleeper run(start);
     run.step(40);
-    ASSERT_EQ(run.asleep(), 50u);
+    ASSERT_EQ(run.asleep(), 100u);
     changes[n](run.world);
     run.step();
     EXPECT_EQ(run.asleep(), 0u);
@@ -259,7 +258,7 @@ TEST(Sleep, IsByIsland) {
   run.step();
   EXPECT_EQ(run.asleep(), 3u);
   run.world.setState(3, {.position = {1.2, 0.5, 0}, .velocity = {-1, 0, 0}});
-  while (run.world.balls.velocity[3].x() < -0.9) {
+  while (run.world.balls.velocity[3].x() < -0.5) {
     EXPECT_EQ(run.asleep(), 3u);
     run.step();
     ASSERT_LT(run.world.step, 200);
@@ -314,9 +313,8 @@ TEST(Sleep, OfGhostsEndsWhenTheirOwnerMovesThem) {
 
 TEST(Sleep, EndsWhenABallChangesHands) {
   World world = makeColumn(3, 1);
-  world.roles.assign(3, Role::Ghost);
-  world.roles[2] = Role::Owned;
-  for (const std::size_t ball : {0u, 2u}) {
+  world.roles = {Role::Owned, Role::Ghost, Role::Owned};
+  for (const std::size_t ball : {1u, 2u}) {
     Sleeper run(world);
     run.step(90);
     ASSERT_EQ(run.asleep(), 3u);
