@@ -58,6 +58,7 @@ BenchResult benchmark(Stepper& stepper, World world, std::int64_t steps, BenchFr
   result.msPerStep = meanMilliseconds(times);
   result.msPerStepLast100 = meanMilliseconds(std::span(times).last(last));
   result.end = measure(world);
+  result.asleep = stepper.counts().asleep;
   result.engine = stepper.name();
   result.integrator = stepper.integrator();
   result.contacts = stepper.contactMethod();
@@ -81,21 +82,21 @@ std::string csvHeader() {
       "scene,engine,integrator,contacts,balls,dt,steps,threads,ms_per_step,ms_per_step_last100,"
       "max_overlap_m,energy_start_J,energy_end_J,kinetic_start_J,kinetic_end_J,escaped,settled_s,"
       "moved_m,"
-      "kinetic_rise_J,{},peak_rss_MiB,state_hash,{}",
+      "kinetic_rise_J,asleep,{},peak_rss_MiB,state_hash,{}",
       kStepColumns, kBuildColumns);
 }
 
 std::string csvRow(const BenchResult& r) {
   return fmt::format(
       "{},{},{},{},{},{:.17g},{},{},{:.6g},{:.6g},{:.6g},{:.17g},{:.17g},{:.6g},{:.6g},{},{},{},"
-      "{:.1f},{},{}",
+      "{},{:.1f},{},{}",
       r.scene, r.engine, csvField(r.integrator), csvField(r.contacts), r.balls, r.dt, r.steps,
       r.threads, r.msPerStep, r.msPerStepLast100, r.end.worstOverlap(), r.start.energy(),
       r.end.energy(), r.start.kineticEnergy, r.end.kineticEnergy, r.end.escaped,
       r.rest ? fmt::format("{:.6g},{:.6g},{:.6g}", r.rest->settledAt(), r.rest->moved(),
                            r.rest->kineticRise())
              : ",,",
-      stepColumns(r.shares, r.books), r.peakRss, hashText(r.stateHash), buildColumns());
+      r.asleep, stepColumns(r.shares, r.books), r.peakRss, hashText(r.stateHash), buildColumns());
 }
 
 }  // namespace wells

@@ -222,6 +222,13 @@ void Sleep::end(World& world, const Field& field, const Candidates& candidates, 
     if (rest.group == kAwake) rest.group = i;
     letSleep(world, field, i, rest.group, books);
   }
+  // What has settled at a steady creep does not gather speed any more.
+  const std::uint32_t needed = restSteps(world.settings.dt);
+  for (const std::uint32_t i : awake_) {
+    if (steps_[i] < 2 * needed) continue;
+    steps_[i] = needed;
+    early_[i] = speed_[i];
+  }
   if (fallen_.empty()) return;
   std::erase_if(awake_, [&](std::uint32_t i) { return group_[i] != kAwake; });
   takeContacts(memory);
@@ -245,9 +252,9 @@ bool Sleep::anyHasRested(const World& world, const ContactMemory& memory) {
       continue;
     }
     if (steps_[i] == 0) early_[i] = 0;
-    steps_[i] = std::min(steps_[i] + 1, needed);
+    ++steps_[i];
     if (steps_[i] <= needed / 2) early_[i] = std::max(early_[i], speed_[i]);
-    if (steps_[i] == needed) anyHas = true;
+    if (steps_[i] >= needed) anyHas = true;
   }
   return anyHas;
 }
@@ -278,7 +285,7 @@ void Sleep::findIslands(const World& world, const Field& field, const Candidates
   const std::uint32_t needed = restSteps(dt);
   for (const std::uint32_t i : awake_) {
     Rest& rest = rest_[rootOf(island_, i)];
-    rest.isLong = rest.isLong && steps_[i] == needed;
+    rest.isLong = rest.isLong && steps_[i] >= needed;
     rest.now = std::max(rest.now, speed_[i]);
     rest.early = std::max(rest.early, early_[i]);
   }

@@ -5,9 +5,9 @@
 // of the substeps presses it; any other must stand still exactly, because its motion is computed
 // without noise. An island (what is pressed together, or could touch within a step) falls asleep
 // when all its balls have rested for kRestTime and do not gather speed: none is now faster than
-// the fastest was in the first half of that time. What stands in an unstable balance gathers speed,
-// so it stays awake, however slowly it begins to fall. Falling asleep sets velocities to zero, and
-// is booked.
+// the fastest was in the first half of that time (later: than it was up to kRestTime ago). What
+// stands in an unstable balance gathers speed, so it stays awake, however slowly it begins to fall.
+// Falling asleep sets velocities to zero, and is booked.
 //
 // An island wakes, in the step in which it must,
 //  - when a ball that is awake may touch one of its balls;
@@ -110,7 +110,7 @@ class Sleep {
   // By ball.
   std::vector<std::uint32_t> group_;   // the lowest ball of its island; or kAwake
   std::vector<std::uint32_t> steps_;   // awake: for how long it has rested
-  std::vector<double> early_;          // awake: the highest speed in the first half of that, m/s
+  std::vector<double> early_;          // awake: what its speed must not exceed, m/s
   std::vector<Vec3> position_;         // asleep: where it fell asleep, m
   std::vector<Vec3> acceleration_;     // asleep: of the fields then, m/s^2
   std::vector<std::uint8_t> isGhost_;  // asleep: it was one then

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "broadphase/resting_boxes.h"
 #include "math/random.h"
 
 namespace wells {
@@ -139,6 +140,65 @@ TEST(Broadphase, StartsAfreshWhenTheWorldIsAnother) {
     broadphase.update(world, reach, allOf(world));
     expectComplete(world, reach, broadphase);
   }
+}
+
+// Balls that are removed are in no pair, few or many at once; they may come back.
+TEST(Broadphase, LeavesOutWhatWasRemoved) {
+  const World world = randomWorld(300, 0.3, 0.6, Vec3::Zero(), 4);
+  const std::vector<double> reach(300, 0.2);
+  Broadphase broadphase;
+  broadphase.update(world, reach, allOf(world));
+  for (const std::size_t count : {3u, 100u, 150u}) {
+    std::vector<std::uint32_t> out = allOf(world);
+    std::vector<std::uint32_t> in(out.begin() + static_cast<std::ptrdiff_t>(count), out.end());
+    out.resize(count);
+    broadphase.remove(out);
+    broadphase.update(world, reach, in);
+    Pairs listed;
+    for (const BallPair& pair : broadphase.ballPairs()) {
+      EXPECT_GE(pair.a, count);
+      EXPECT_TRUE(listed.emplace(pair.a, pair.b).second);
+    }
+    for (const auto& pair : bruteForce(world, reach))
+      EXPECT_TRUE(pair.first < count || listed.contains(pair)) << pair.first << " " << pair.second;
+    for (const std::uint32_t i : broadphase.nearGround()) EXPECT_GE(i, count);
+    for (const std::uint32_t i : broadphase.nearWall()) EXPECT_GE(i, count);
+    broadphase.update(world, reach, allOf(world));
+    expectComplete(world, reach, broadphase);
+  }
+}
+
+// Against a look at every box, while balls come and go.
+TEST(RestingBoxes, FindsWhatOverlaps) {
+  const World world = randomWorld(400, 0.1, 1, {3, -2, 5}, 5);
+  Random random(6);
+  RestingBoxes boxes;
+  std::set<std::uint32_t> there;
+  for (int round = 0; round < 2000; ++round) {
+    const auto ball = static_cast<std::uint32_t>(random.below(400));
+    if (there.erase(ball) > 0) {
+      boxes.remove(ball);
+    } else {
+      there.insert(ball);
+      boxes.add(ball, world.balls.position[ball], world.balls.radius[ball]);
+    }
+    const Vec3 center = world.balls.position[random.below(400)];
+    const double half = random.uniform(0, 3);
+    std::vector<std::uint32_t> found;
+    boxes.find(center - Vec3::Constant(half), center + Vec3::Constant(half), found);
+    const std::set<std::uint32_t> sorted(found.begin(), found.end());
+    EXPECT_EQ(sorted.size(), found.size()) << "each once";
+    std::set<std::uint32_t> expected;
+    for (const std::uint32_t i : there)
+      if (((world.balls.position[i] - center).cwiseAbs().array() <= world.balls.radius[i] + half)
+              .all())
+        expected.insert(i);
+    ASSERT_EQ(sorted, expected);
+  }
+  boxes.clear();
+  std::vector<std::uint32_t> found;
+  boxes.find(Vec3::Constant(-100), Vec3::Constant(100), found);
+  EXPECT_TRUE(found.empty());
 }
 
 }  // namespace

@@ -192,7 +192,8 @@ TEST(Snapshot, NamesTheFieldThatIsOutOfRange) {
       {"length of memory.rest.speed = ", [](Snapshot& s) { s.memory.rest.speed.pop_back(); }},
       {"memory.rest.group[1] = 2; ", [](Snapshot& s) { s.memory.rest.group[1] = 2; }},
       {"memory.rest.group[2] = 0; ", [](Snapshot& s) { s.memory.rest.group[2] = 0; }},
-      {"changed[0] = 99; ", [](Snapshot& s) {
+      {"changed[0] = 99; ",
+       [](Snapshot& s) {
          s.world.changed.clear();
          s.world.changed.add(99);
        }},
