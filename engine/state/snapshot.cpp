@@ -70,14 +70,19 @@ void transferArena(auto& bytes, auto& arena) {
   bytes.field(radius);
 }
 
-void transferChanged(SnapshotWriter& bytes, const ChangedBalls& changed) {
+void transferChanged(SnapshotWriter& bytes, std::size_t, const ChangedBalls& changed) {
   bytes.list("changed", changed.list(), 4, [&](std::uint32_t ball) { bytes.field(ball); });
 }
 
-void transferChanged(SnapshotReader& bytes, ChangedBalls& changed) {
-  std::vector<std::uint32_t> balls;
-  bytes.list("changed", balls, 4, [&](std::uint32_t& ball) { bytes.field(ball); });
-  for (const std::uint32_t ball : balls) changed.add(ball);
+void transferChanged(SnapshotReader& bytes, std::size_t balls, ChangedBalls& changed) {
+  std::vector<std::uint32_t> list;
+  bytes.list("changed", list, 4, [&](std::uint32_t& ball) { bytes.field(ball); });
+  for (const std::uint32_t ball : list) {
+    // It takes memory up to the highest.
+    if (ball >= balls)
+      throw SnapshotError(fmt::format("changed ball = {}; allowed: below {}", ball, balls));
+    changed.add(ball);
+  }
 }
 
 void transferWorld(auto& bytes, auto& world) {
@@ -90,7 +95,7 @@ void transferWorld(auto& bytes, auto& world) {
   transferBalls(bytes, balls);
   bytes.list("roles", roles, 1, [&](auto& role) { bytes.choice("role of a ball", role, 2); });
   bytes.field(step);
-  transferChanged(bytes, changed);
+  transferChanged(bytes, balls.size(), changed);
 }
 
 void transferContact(auto& bytes, auto& contact) {

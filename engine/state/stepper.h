@@ -53,7 +53,7 @@ struct StepperMemory {
     std::uint64_t conditions = 0;       // hash of what all who sleep rely on
     std::vector<std::uint32_t> group;   // the lowest of those that sleep with it; kAwake
     std::vector<std::uint32_t> steps;   // of those awake: for how long it has rested
-    std::vector<double> speed;          // m/s, the highest in the first half of the time
+    std::vector<double> speed;          // m/s, of those awake: more gathers speed
     std::vector<Vec3> position;         // m, of those asleep, where they fell asleep
     std::vector<Vec3> acceleration;     // m/s^2, of the fields, likewise
     std::vector<std::uint8_t> isGhost;  // 1: they were, likewise

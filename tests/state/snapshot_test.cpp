@@ -87,11 +87,11 @@ TEST(Snapshot, HasTheDocumentedLayout) {
   double dt = 0;
   std::memcpy(&dt, bytes.data() + kFieldsAt, 8);  // this machine is little-endian, as the format
   EXPECT_EQ(dt, 1.0 / 60);
-  const std::size_t settings = 8 + 24 + 3 * 8 + (8 + 3) + 1 + 4 + 4 + 8;
+  const std::size_t settings = 8 + 24 + 3 * 8 + (8 + 3) + 1 + 4 + 4 + 8 + 8;
   const std::size_t arena = 24 + 8;
   const std::size_t step = kFieldsAt + settings + arena + 8 + 5 * 8 + 8;
   EXPECT_EQ(bytes.substr(step, 8), std::string("\2\1\0\0\0\0\0\0", 8));
-  EXPECT_EQ(bytes.size(), step + 8 + 8 + 7 * 8 + (8 + 1) + 8 + 8);
+  EXPECT_EQ(bytes.size(), step + 8 + 8 + 8 + (8 + 6 * 8) + 7 * 8 + (8 + 1) + 8 + 8);
 }
 
 TEST(Snapshot, EveryCutIsRefused) {
@@ -160,7 +160,7 @@ TEST(Snapshot, ContentThatNobodyEncodedIsRefusedOrValid) {
 
 TEST(Snapshot, AHugeCountIsRefusedBeforeAnythingIsAllocated) {
   std::string bytes = encode({});
-  const std::size_t wells = kFieldsAt + 8 + 24 + 3 * 8 + (8 + 5) + 1 + 4 + 4 + 8 + 24 + 8;
+  const std::size_t wells = kFieldsAt + 8 + 24 + 3 * 8 + (8 + 5) + 1 + 4 + 4 + 8 + 8 + 24 + 8;
   put(bytes, wells, 1ull << 60, 8);
   const std::string error = errorOf(sealed(bytes));
   EXPECT_TRUE(contains(error, "length of wells = 1152921504606846976; allowed: at most ")) << error;
