@@ -121,7 +121,8 @@ void Sleep::wakePulled(const World& world, const Field& field) {
 }
 
 bool Sleep::isPulledAnew(const World& world, const Field& field, const Group& group) const {
-  const double most = world.settings.sleepSpeed / kRestTime;
+  // What stands still exactly does so while the fields stay exactly as they are.
+  const double most = group.contacts.empty() ? 0 : world.settings.sleepSpeed / kRestTime;
   return std::ranges::any_of(group.balls, [&](std::uint32_t i) {
     const Vec3& at = world.balls.position[i];
     return length(acceleration(field, at, 0) - acceleration_[i]) > most ||

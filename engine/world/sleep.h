@@ -4,16 +4,16 @@
 // A ball rests while it is no faster (|v| + r |w|) than Settings::sleepSpeed, if a lasting contact
 // of the substeps presses it; any other must stand still exactly, because its motion is computed
 // without noise. An island (what is pressed together, or could touch within a step) falls asleep
-// when all its balls have rested for kRestTime and do not gather speed: none is now faster than
-// the fastest was in the first half of that time (later: than it was up to kRestTime ago). What
-// stands in an unstable balance gathers speed, so it stays awake, however slowly it begins to fall.
+// when all its balls have rested for kRestTime and do not gather speed: none is now faster than the
+// fastest was in the first half of that time, or later than it was up to kRestTime ago. What stands
+// in an unstable balance gathers speed, so it stays awake, however slowly it begins to fall.
 // Falling asleep sets velocities to zero, and is booked.
 //
 // An island wakes, in the step in which it must,
 //  - when a ball that is awake may touch one of its balls;
-//  - when the fields' acceleration of one of its balls is no longer what it was when it fell
-//  asleep,
-//    by more than sleepSpeed / kRestTime (looked at when a well has moved or changed);
+//  - when the fields' acceleration of one of its balls is not what it was when it fell asleep: by
+//    more than sleepSpeed / kRestTime if lasting contacts press it, else at all (looked at when a
+//    well has moved or changed);
 //  - when the state or the role of one of its balls has been changed (World::setState, setRole). A
 //    ghost may be set within sleepSpeed kRestTime of where it fell asleep, no faster than
 //    sleepSpeed: its owner's noise does not wake it;

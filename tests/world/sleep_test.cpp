@@ -140,6 +140,9 @@ TEST(Sleep, AThrownBallWakesThoseThatItReachesAndNoOthers) {
     with.step();
     without.step();
     most = std::max(most, with.awake());
+    const StepCounts counts = with.simulation->counts();
+    ASSERT_LE(counts.candidatePairs, 10 * static_cast<std::int64_t>(with.awake()) + 50)
+        << "only those awake are looked at";
     areExact = areExact && without.simulation->counts().handedOver == 0;
     if (!areExact) continue;
     impacts += with.simulation->counts().impacts;
@@ -171,6 +174,31 @@ TEST(Sleep, IsNotTunnelledThrough) {
   EXPECT_GE(movedBalls(with.world, start).size(), 5u);
 }
 
+// A ball hits a sleeper off its centre, which hits another one in the same step, out of the way of
+// the first.
+TEST(Sleep, PassesAnImpactOnWithinTheStep) {
+  World start;
+  start.settings.gravity.setZero();
+  start.settings.elasticity = 1;
+  start.settings.contactMethod = ContactMethod::Exact;
+  const double far = 1.2;
+  start.balls.add({.position = {0, 5, 0}}, 0.5, 1);
+  start.balls.add({.position = {far * std::sqrt(0.5), 5, far * std::sqrt(0.5)}}, 0.5, 1);
+  start.balls.add({.position = {-5, 5, -std::sqrt(0.5)}}, 0.5, 1);
+  Sleeper with(start);
+  Sleeper without(sleepless(start));
+  with.step(40);
+  without.step(40);
+  ASSERT_EQ(with.asleep(), 3u);
+  for (Sleeper* run : {&with, &without}) {
+    run->world.setState(2, {.position = {-1, 5, -std::sqrt(0.5)}, .velocity = {60, 0, 0}});
+    run->step();
+  }
+  EXPECT_EQ(without.simulation->counts().impacts, 2);
+  EXPECT_EQ(with.simulation->counts().impacts, 2);
+  EXPECT_EQ(stateHash(with.world), stateHash(without.world));
+}
+
 // A well stands vertically above the only ball, which can rest then. The well moves away: the ball
 // must roll in that very step.
 TEST(Sleep, EndsInTheStepInWhichAWellMoves) {
@@ -191,7 +219,24 @@ TEST(Sleep, EndsInTheStepInWhichAWellMoves) {
   EXPECT_GT(with.world.balls.position[0].x(), 0.1);
 }
 
-// A well that only acts far away does not wake.
+// A ball that stands still exactly feels the slightest pull: where it is held by nothing it would
+// roll away, given time.
+TEST(Sleep, OfALoneBallEndsWithTheSlightestChange) {
+  World world;
+  world.balls.add({.position = {0, 0.5, 0}}, 0.5, 1);
+  world.tracks = {{.keyframes = {{0, {0, 6, 0}, 20}, {50, {0, 6, 0}, 20}, {51, {1e-6, 6, 0}, 20}}}};
+  Sleeper with(world);
+  Sleeper without(sleepless(world));
+  with.step(50);
+  without.step(50);
+  EXPECT_EQ(with.asleep(), 1u);
+  with.step(200);
+  without.step(200);
+  EXPECT_EQ(stateHash(with.world), stateHash(without.world));
+  EXPECT_GT(with.world.balls.position[0].x(), 1e-7);
+}
+
+// A well that only acts far away does not wake a pile.
 TEST(Sleep, OutlastsAWellThatHardlyActs) {
   World world = makeColumn(3, 1);
   world.tracks = {
@@ -335,12 +380,15 @@ TEST(Sleep, DoesNotComeToWhatMoves) {
   drifts.balls.add({.position = {1.001, 5, 0}, .velocity = {1e-9, 0, 0}}, 0.5, 1);
   World spins;
   spins.balls.add({.position = {0, 0.5, 0}, .spin = {0, 1e-4, 0}}, 0.5, 1);
+  World beside = makeColumn(2, 1);  // 1 mm from the top: neither could sleep for long
+  beside.balls.add({.position = {1.001, 0.5, 0}, .spin = {0, 1, 0}}, 0.5, 1);
   World smooth = makeNudgedHeavyOnLight(0, 0);
   smooth.settings.friction = 0;
   const std::vector<std::pair<std::string, World>> cases = {
       {"a swing", swings},
       {"a drift", drifts},
       {"a top", spins},
+      {"a column beside a top", beside},
       {"heavy on light, nudged", makeNudgedHeavyOnLight(0, 0)},
       {"the same without friction", smooth},
       {"a pile that slips", makeSlippingPile(0, 0)},
