@@ -248,7 +248,9 @@ bool Sleep::anyHasRested(const World& world, const ContactMemory& memory) {
   bool anyHas = false;
   for (const std::uint32_t i : awake_) {
     speed_[i] = speedOf(world.balls, i);
-    if (!(speed_[i] <= (isPressed_[i] ? world.settings.sleepSpeed : 0))) {
+    // What is not finite is named after each step, and does not rest.
+    if (!(speed_[i] <= (isPressed_[i] ? world.settings.sleepSpeed : 0)) ||
+        !isFinite(world.balls.position[i])) {
       steps_[i] = 0;
       continue;
     }
