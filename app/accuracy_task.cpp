@@ -10,6 +10,7 @@ World AccuracyTask::world() const {
   if (method.engine != "ours") return start;
   start.settings.integrator = method.integrator;
   start.settings.contactMethod = *contactMethod(method.contacts);
+  if (!scene.sleeping) start.settings.sleepSpeed = 0;
   return start;
 }
 

@@ -148,6 +148,7 @@ World sceneWorld(const BenchOptions& options) {
   if (const auto method = contactMethod(options.contacts)) settings.contactMethod = *method;
   if (options.substeps > 0) settings.substeps = static_cast<int>(options.substeps);
   if (options.iterations > 0) settings.iterations = static_cast<int>(options.iterations);
+  if (!findScene(options.scene).sleeping) settings.sleepSpeed = 0;
   return world;
 }
 

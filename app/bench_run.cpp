@@ -58,6 +58,7 @@ BenchResult benchmark(Stepper& stepper, World world, std::int64_t steps, BenchFr
   result.msPerStep = meanMilliseconds(times);
   result.msPerStepLast100 = meanMilliseconds(std::span(times).last(last));
   result.end = measure(world);
+  result.asleep = stepper.counts().asleep;
   result.engine = stepper.name();
   result.integrator = stepper.integrator();
   result.contacts = stepper.contactMethod();
@@ -82,7 +83,7 @@ std::string csvHeader() {
       "max_overlap_m,ball_overlap_m,ground_overlap_m,wall_overlap_m,energy_start_J,energy_end_J,"
       "kinetic_start_J,kinetic_end_J,escaped,settled_s,"
       "moved_m,"
-      "kinetic_rise_J,{},peak_rss_MiB,state_hash,{}",
+      "kinetic_rise_J,asleep,{},peak_rss_MiB,state_hash,{}",
       kStepColumns, kBuildColumns);
 }
 
@@ -90,7 +91,7 @@ std::string csvRow(const BenchResult& r) {
   return fmt::format(
       "{},{},{},{},{},{:.17g},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.17g},{:.17g},{:."
       "6g},{:.6g},{},{},{},"
-      "{:.1f},{},{}",
+      "{},{:.1f},{},{}",
       r.scene, r.engine, csvField(r.integrator), csvField(r.contacts), r.balls, r.dt, r.steps,
       r.threads, r.msPerStep, r.msPerStepLast100, r.end.worstOverlap(), r.end.ballOverlap,
       r.end.groundOverlap, r.end.wallOverlap, r.start.energy(), r.end.energy(),
@@ -98,7 +99,7 @@ std::string csvRow(const BenchResult& r) {
       r.rest ? fmt::format("{:.6g},{:.6g},{:.6g}", r.rest->settledAt(), r.rest->moved(),
                            r.rest->kineticRise())
              : ",,",
-      stepColumns(r.shares, r.books), r.peakRss, hashText(r.stateHash), buildColumns());
+      r.asleep, stepColumns(r.shares, r.books), r.peakRss, hashText(r.stateHash), buildColumns());
 }
 
 }  // namespace wells

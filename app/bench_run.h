@@ -28,6 +28,7 @@ struct BenchResult {
   double msPerStepLast100 = 0;  // of the last 100 steps, or of all if there are fewer
   Measures start;
   Measures end;
+  std::int64_t asleep = 0;        // balls, at the end
   std::optional<RestWatch> rest;  // of a benchmark from settled
   ContactShares shares;
   std::optional<Books> books;  // of a run of its own; nothing where the engine keeps none

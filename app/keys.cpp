@@ -70,7 +70,10 @@ std::vector<Key> makeKeys() {
                   "passes of the contact solver in a substep"),
        integerKey("MostImpacts", WELLS_FIELD(settings.mostImpacts), 1, 1'000'000'000,
                   "elastic impacts among balls that may meet in one step; with more, "
-                  "ContactMethod exact stops and auto leaves them to the substeps")});
+                  "ContactMethod exact stops and auto leaves them to the substeps"),
+       numberKey("SleepSpeed", "m/s", WELLS_FIELD(settings.sleepSpeed), Range::between(0, 1),
+                 "balls in lasting contacts that are slower rest, and islands at rest sleep until "
+                 "something wakes them; 0: none ever does")});
   addGroup(
       table, "This peer and its well", Scope::Peer,
       {integerKey(

@@ -42,17 +42,20 @@ Json booksAsJson(const Books& b) {
           {"wells_J", b.wells},
           {"push_out_J", b.pushOut},
           {"flight_J", b.flight},
+          {"sleep_J", b.sleep},
           {"outside_J", b.outside},
           {"ground", impulseAsJson(b.ground)},
           {"wall", impulseAsJson(b.wall)},
           {"fields", impulseAsJson(b.fields)},
           {"shifts", impulseAsJson(b.shifts)},
+          {"rest", impulseAsJson(b.rest)},
           {"changes", impulseAsJson(b.changes)}};
 }
 
 Json sharesAsJson(const ContactShares& s) {
   return {{"exact", s.exact()},
           {"substep", s.substep()},
+          {"asleep", s.asleep()},
           {"impacts", s.impacts},
           {"clusters", s.clusters},
           {"islands_handed_over", s.handedOver},
@@ -83,6 +86,8 @@ std::string booksAsText(const Books& b) {
 /// What a person should not miss, each on its line.
 std::string remarks(const RunReport& r) {
   std::string text;
+  if (r.shares.asleepBalls > 0)
+    text += fmt::format("asleep for {:.1f} % of the balls' steps\n", 100 * r.shares.asleep());
   if (r.flightStretches > 1)
     text += fmt::format("flight was divided into {} stretches a step: the wells are sharp\n",
                         r.flightStretches);

@@ -2,6 +2,7 @@
 
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "math/elementary.h"
@@ -20,6 +21,9 @@ constexpr double kFattening = 0.5;
 // ms a step with 0, 4.1 with 4, 4.5 with 8; T1 does not mind.
 constexpr double kAhead = 4;
 constexpr int kWallPieces = 64;
+// Each ball that is removed costs a look at all pairs; of more at once, those that stay are built
+// afresh.
+constexpr std::size_t kMostRemoved = 16;
 constexpr double kFarAway = 1e15;  // m; beyond any arena, and still exact enough to sort
 
 // What a proxy stands for, kept in Bullet's user pointer.
@@ -39,7 +43,7 @@ struct Broadphase::Bullet {
   btDbvtBroadphase broadphase;
   std::vector<btBroadphaseProxy*> proxies;  // by ball; null: not finite, in no pair
   std::vector<btBroadphaseProxy*> arenaProxies;
-  std::vector<double> radius;  // m, as built
+  std::vector<double> radius;  // m, by ball, of its proxy
   Arena arena;
 
   Bullet() = default;
@@ -95,27 +99,48 @@ Broadphase::~Broadphase() = default;
 void Broadphase::build(const World& world) {
   bullet_ = std::make_unique<Bullet>();
   bullet_->arena = world.arena;
-  bullet_->radius = world.balls.radius;
   bullet_->broadphase.m_deferedcollide = true;  // one pass over the trees instead of one per proxy
   bullet_->addArena();
   bullet_->proxies.assign(world.balls.size(), nullptr);
+  bullet_->radius.resize(world.balls.size());
   list();
 }
 
-void Broadphase::update(const World& world, std::span<const double> reach) {
-  const Balls& balls = world.balls;
-  if (!bullet_ || bullet_->proxies.size() != balls.size() || bullet_->radius != balls.radius ||
-      bullet_->arena.center != world.arena.center || bullet_->arena.radius != world.arena.radius)
-    build(world);
+bool Broadphase::isBuiltFor(const World& world, std::span<const std::uint32_t> among) const {
+  return bullet_ && bullet_->proxies.size() == world.balls.size() &&
+         bullet_->arena.center == world.arena.center &&
+         bullet_->arena.radius == world.arena.radius && removed_ <= kMostRemoved &&
+         std::ranges::all_of(among, [&](std::uint32_t i) {
+           return !bullet_->proxies[i] || bullet_->radius[i] == world.balls.radius[i];
+         });
+}
 
+void Broadphase::remove(std::span<const std::uint32_t> balls) {
+  if (!bullet_) return;
+  arePairsOld_ = true;
+  removed_ += balls.size();
+  if (removed_ > kMostRemoved) return;
+  for (const std::uint32_t i : balls) removeProxy(i);
+}
+
+void Broadphase::removeProxy(std::uint32_t ball) {
+  btBroadphaseProxy*& proxy = bullet_->proxies[ball];
+  if (!proxy) return;
+  bullet_->broadphase.destroyProxy(proxy, nullptr);
+  proxy = nullptr;
+  ++moved_;
+}
+
+void Broadphase::update(const World& world, std::span<const double> reach,
+                        std::span<const std::uint32_t> among) {
+  const Balls& balls = world.balls;
+  if (!isBuiltFor(world, among)) build(world);
+  removed_ = 0;
   moved_ = 0;
-  for (std::size_t i = 0; i < balls.size(); ++i) {
+  for (const std::uint32_t i : among) {
     btBroadphaseProxy*& proxy = bullet_->proxies[i];
     if (!isFinite(balls.position[i]) || !std::isfinite(reach[i])) {
-      if (!proxy) continue;
-      bullet_->broadphase.destroyProxy(proxy, nullptr);
-      proxy = nullptr;
-      ++moved_;
+      removeProxy(i);
       continue;
     }
     const double half = balls.radius[i] + reach[i];
@@ -127,6 +152,7 @@ void Broadphase::update(const World& world, std::span<const double> reach) {
     const Vec3 fatHigh = x + fat + ahead.cwiseMax(0);
     if (!proxy) {
       proxy = bullet_->add(fatLow, fatHigh, static_cast<std::intptr_t>(i));
+      bullet_->radius[i] = balls.radius[i];
       ++moved_;
       continue;
     }
@@ -140,9 +166,10 @@ void Broadphase::update(const World& world, std::span<const double> reach) {
     ++moved_;
   }
   // Boxes that stand where they stood have the pairs that they had.
-  if (moved_ == 0) return;
+  if (moved_ == 0 && !arePairsOld_) return;
   bullet_->broadphase.calculateOverlappingPairs(nullptr);
   list();
+  arePairsOld_ = false;
 }
 
 void Broadphase::list() {

@@ -33,8 +33,14 @@ class Broadphase {
   /// Brings the boxes up to date and lists the candidate pairs. reach[i] (m, >= 0) bounds how far
   /// ball i may move in the step: every pair whose gap is at most the sum of its reaches is
   /// listed. A change in the number of balls or in the arena starts afresh. A ball whose
-  /// position or reach is not finite is in no pair.
-  void update(const World& world, std::span<const double> reach);
+  /// position or reach is not finite is in no pair. `among` are the balls that take part: all that
+  /// did so in the last update and have not been removed since, and any others. O(among), and what
+  /// their pairs cost.
+  void update(const World& world, std::span<const double> reach,
+              std::span<const std::uint32_t> among);
+
+  /// These take no part from the next update on, until they are among its balls again.
+  void remove(std::span<const std::uint32_t> balls);
 
   /// Of the last update, in no particular order; a pair stands at most once.
   const std::vector<BallPair>& ballPairs() const { return ballPairs_; }
@@ -48,6 +54,8 @@ class Broadphase {
  private:
   struct Bullet;
   void build(const World& world);
+  bool isBuiltFor(const World& world, std::span<const std::uint32_t> among) const;
+  void removeProxy(std::uint32_t ball);
   void list();
 
   std::unique_ptr<Bullet> bullet_;
@@ -55,6 +63,8 @@ class Broadphase {
   std::vector<std::uint32_t> nearGround_;
   std::vector<std::uint32_t> nearWall_;
   std::int64_t moved_ = 0;
+  std::size_t removed_ = 0;   // since the last update
+  bool arePairsOld_ = false;  // because of them
 };
 
 }  // namespace wells

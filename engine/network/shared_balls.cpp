@@ -16,7 +16,7 @@ SharedBalls::SharedBalls(const World& initial, Predictor predict)
 void SharedBalls::found(World& world, const Generation& generation, const Incarnation& founder,
                         double now) {
   drop(world);
-  world.balls = initial_;
+  world.setBalls(initial_);
   openOffers_.clear();
   for (std::size_t i = 0; i < records_.size(); ++i) {
     setRecord(i, wells::found(generation, founder, world.step), now);
@@ -26,7 +26,7 @@ void SharedBalls::found(World& world, const Generation& generation, const Incarn
 
 void SharedBalls::enter(World& world, const Generation& generation) {
   forget(world, generation);
-  world.balls = initial_;
+  world.setBalls(initial_);
   gathering_.restart();
 }
 
@@ -76,7 +76,7 @@ std::optional<Drop> SharedBalls::gather(World& world, const BallNews& news, Stan
                                                 : learnOffer(records_[i], news.version);
   if (!next) return std::nullopt;
   setRecord(i, *next, hearing.now);
-  world.balls.setState(i, news.state);
+  world.setState(i, news.state);
   gathering_.hear(i, news.version.step);
   if (standing == Standing::Named)
     openOffers_.push_back({i, news.version, news.state, hearing.now + hearing.patience});
@@ -179,7 +179,7 @@ void SharedBalls::applyDue(World& world, const Party& self) {
 void SharedBalls::place(World& world, std::size_t ball, const BallState& state, std::int64_t step) {
   const std::int64_t steps = std::min({world.step - step, kMaxPredicted, predictionLeft_});
   predictionLeft_ -= steps;
-  world.balls.setState(ball, predict_(world, ball, state, world.step - steps, world.step));
+  world.setState(ball, predict_(world, ball, state, world.step - steps, world.step));
 }
 
 void SharedBalls::takeBall(World& world, std::size_t ball, const Party& self) {
@@ -191,7 +191,7 @@ void SharedBalls::takeBall(World& world, std::size_t ball, const Party& self) {
 
 void SharedBalls::setRole(World& world, std::size_t ball, Role role) {
   if (world.roles[ball] == role) return;
-  world.roles[ball] = role;
+  world.setRole(ball, role);
   ghosts_ += role == Role::Ghost ? 1 : -1;
   watches_[ball] = {};
 }

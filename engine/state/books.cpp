@@ -17,11 +17,13 @@ Books& Books::operator+=(const Books& more) {
   wells += more.wells;
   pushOut += more.pushOut;
   flight += more.flight;
+  sleep += more.sleep;
   outside += more.outside;
   add(ground, more.ground);
   add(wall, more.wall);
   add(fields, more.fields);
   add(shifts, more.shifts);
+  add(rest, more.rest);
   add(changes, more.changes);
   return *this;
 }

@@ -29,18 +29,25 @@ struct Books {
   double wells = 0;     // wells that move, and fields that are switched or change their strength
   double pushOut = 0;   // potential energy that correcting positions changed: pushing out overlaps
   double flight = 0;    // residual of the integrator: falls with its order
+  double sleep = 0;     // what was left of the motion of balls that fell asleep; never > 0
   double outside = 0;   // states that were changed between two steps
 
   ImpulseBook ground;
   ImpulseBook wall;
   ImpulseBook fields;   // gravity, wells and drag
   ImpulseBook shifts;   // overlaps, and positions that a solver corrected: angular only
+  ImpulseBook rest;     // what was left of the motion of balls that fell asleep
   ImpulseBook changes;  // states that were changed between two steps
 
-  double energy() const { return contacts + friction + drag + wells + pushOut + flight + outside; }
-  Vec3 impulse() const { return ground.linear + wall.linear + fields.linear + changes.linear; }
+  double energy() const {
+    return contacts + friction + drag + wells + pushOut + flight + sleep + outside;
+  }
+  Vec3 impulse() const {
+    return ground.linear + wall.linear + fields.linear + rest.linear + changes.linear;
+  }
   Vec3 angularImpulse() const {
-    return ground.angular + wall.angular + fields.angular + shifts.angular + changes.angular;
+    return ground.angular + wall.angular + fields.angular + shifts.angular + rest.angular +
+           changes.angular;
   }
 
   Books& operator+=(const Books& more);

@@ -13,6 +13,7 @@ void ContactShares::add(const StepCounts& step, std::size_t balls) {
   ballSteps += static_cast<std::int64_t>(balls);
   exactBalls += step.exactBalls;
   substepBalls += step.substepBalls;
+  asleepBalls += step.asleep;
   impacts += step.impacts;
   clusters += step.clusters;
   handedOver += step.handedOver;
@@ -26,6 +27,10 @@ double ContactShares::exact() const {
 
 double ContactShares::substep() const {
   return share(substepBalls, ballSteps);
+}
+
+double ContactShares::asleep() const {
+  return share(asleepBalls, ballSteps);
 }
 
 }  // namespace wells

@@ -12,7 +12,8 @@ namespace wells {
 struct ContactShares {
   std::int64_t ballSteps = 0;     // balls times steps
   std::int64_t exactBalls = 0;    // of those: by exact impacts, rolling and sliding
-  std::int64_t substepBalls = 0;  // by substeps; the others touched nothing
+  std::int64_t substepBalls = 0;  // by substeps
+  std::int64_t asleepBalls = 0;   // asleep at the end of the step; the others touched nothing
   std::int64_t impacts = 0;
   std::int64_t clusters = 0;
   std::int64_t handedOver = 0;       // islands that began as exact and were left to the substeps
@@ -22,6 +23,7 @@ struct ContactShares {
   void add(const StepCounts& step, std::size_t balls);
   double exact() const;    // 0 .. 1
   double substep() const;  // 0 .. 1
+  double asleep() const;   // 0 .. 1
 };
 
 }  // namespace wells

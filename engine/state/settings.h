@@ -52,6 +52,8 @@ struct Settings {
   int iterations = 4;                    // solver passes a substep, >= 1
   std::int64_t mostImpacts = 1'000'000;  // elastic ones of an island in a step, >= 1; more stop
                                          // the step (Exact) or are left to the substeps (Auto)
+  double sleepSpeed = 1e-5;  // m/s, >= 0; lasting contacts slower than this rest, and islands at
+                             // rest sleep (world/sleep.h); 0: none ever does
 };
 
 }  // namespace wells

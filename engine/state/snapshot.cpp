@@ -24,8 +24,8 @@ void transferVectors(auto& bytes, std::string_view name, auto& vectors) {
 }
 
 void transferSettings(auto& bytes, auto& settings) {
-  auto& [dt, gravity, drag, elasticity, friction, rollingResistance, integrator, contactMethod, substeps,
-         iterations, mostImpacts] = settings;
+  auto& [dt, gravity, drag, elasticity, friction, rollingResistance, integrator, contactMethod,
+         substeps, iterations, mostImpacts, sleepSpeed] = settings;
   bytes.field(dt);
   bytes.field(gravity);
   bytes.field(drag);
@@ -37,6 +37,7 @@ void transferSettings(auto& bytes, auto& settings) {
   bytes.field(substeps);
   bytes.field(iterations);
   bytes.field(mostImpacts);
+  bytes.field(sleepSpeed);
 }
 
 void transferKeyframe(auto& bytes, auto& keyframe) {
@@ -70,9 +71,24 @@ void transferArena(auto& bytes, auto& arena) {
   bytes.field(radius);
 }
 
+void transferChanged(SnapshotWriter& bytes, std::size_t, const ChangedBalls& changed) {
+  bytes.list("changed", changed.list(), 4, [&](std::uint32_t ball) { bytes.field(ball); });
+}
+
+void transferChanged(SnapshotReader& bytes, std::size_t balls, ChangedBalls& changed) {
+  std::vector<std::uint32_t> list;
+  bytes.list("changed", list, 4, [&](std::uint32_t& ball) { bytes.field(ball); });
+  for (const std::uint32_t ball : list) {
+    // It takes memory up to the highest.
+    if (ball >= balls)
+      throw SnapshotError(fmt::format("changed ball = {}; allowed: below {}", ball, balls));
+    changed.add(ball);
+  }
+}
+
 void transferWorld(auto& bytes, auto& world) {
   constexpr std::size_t kLeastTrackSize = 8 + 8 + 1;
-  auto& [settings, arena, tracks, balls, roles, step, leaning] = world;
+  auto& [settings, arena, tracks, balls, roles, step, leaning, changed] = world;
   static_cast<void>(leaning);  // derived
   transferSettings(bytes, settings);
   transferArena(bytes, arena);
@@ -80,6 +96,7 @@ void transferWorld(auto& bytes, auto& world) {
   transferBalls(bytes, balls);
   bytes.list("roles", roles, 1, [&](auto& role) { bytes.choice("role of a ball", role, 2); });
   bytes.field(step);
+  transferChanged(bytes, balls.size(), changed);
 }
 
 void transferContact(auto& bytes, auto& contact) {
@@ -92,9 +109,22 @@ void transferContact(auto& bytes, auto& contact) {
   bytes.field(rollingImpulse);
 }
 
+void transferRest(auto& bytes, auto& rest) {
+  auto& [conditions, group, steps, speed, position, acceleration, isGhost] = rest;
+  bytes.field(conditions);
+  const auto transfer = [&](auto& number) { bytes.field(number); };
+  bytes.list("memory.rest.group", group, 4, transfer);
+  bytes.list("memory.rest.steps", steps, 4, transfer);
+  transferNumbers(bytes, "memory.rest.speed", speed);
+  transferVectors(bytes, "memory.rest.position", position);
+  transferVectors(bytes, "memory.rest.acceleration", acceleration);
+  bytes.list("memory.rest.isGhost", isGhost, 1,
+             [&](auto& flag) { bytes.choice("memory.rest.isGhost of a ball", flag, 2); });
+}
+
 void transferMemory(auto& bytes, auto& memory) {
   constexpr std::size_t kContactSize = 4 + 4 + 1 + 8 + 24 + 24;
-  auto& [substep, ballContacts, arenaContacts, stepsInSubsteps, carried] = memory;
+  auto& [substep, ballContacts, arenaContacts, stepsInSubsteps, rest, carried] = memory;
   const auto transfer = [&](auto& contact) { transferContact(bytes, contact); };
   bytes.field(substep);
   bytes.list("memory.ballContacts", ballContacts, kContactSize, transfer);
@@ -102,6 +132,7 @@ void transferMemory(auto& bytes, auto& memory) {
   bytes.list("memory.stepsInSubsteps", stepsInSubsteps, 1, [&](auto& n) {
     bytes.choice("memory.stepsInSubsteps of a ball", n, kCrowdSteps + 1);
   });
+  transferRest(bytes, rest);
   auto& [position, velocity, lastVelocity, force] = carried;
   transferVectors(bytes, "memory.carried.position", position);
   transferVectors(bytes, "memory.carried.velocity", velocity);

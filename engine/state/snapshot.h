@@ -2,7 +2,7 @@
 // them goes on with the same bits. Not a message (a session's peers send balls, not worlds), and no
 // files: those are the program's.
 //
-// Format 1, little-endian, no padding:
+// Format 2, little-endian, no padding:
 //   8 bytes  "wellsnap"
 //   u32      format version
 //   u64      length of the whole in bytes
@@ -31,7 +31,7 @@ struct Snapshot {
   std::vector<std::pair<std::string, std::string>> config{};
 };
 
-inline constexpr std::uint32_t kSnapshotVersion = 1;
+inline constexpr std::uint32_t kSnapshotVersion = 2;
 
 /// what() says what is wrong: no snapshot, another version, cut, altered, or a field with its value
 /// and what is allowed.

@@ -34,6 +34,7 @@ class SnapshotWriter {
   void field(std::uint32_t value) { word(value); }
   void field(std::int32_t value) { word(static_cast<std::uint32_t>(value)); }
   void field(std::int64_t value) { word(static_cast<std::uint64_t>(value)); }
+  void field(std::uint64_t value) { word(value); }
   void field(double value) { word(std::bit_cast<std::uint64_t>(value)); }
   void field(const Vec3& v) {
     for (const double x : {v.x(), v.y(), v.z()}) field(x);
@@ -76,6 +77,7 @@ class SnapshotReader {
   void field(std::uint32_t& value) { value = word<std::uint32_t>(); }
   void field(std::int32_t& value) { value = static_cast<std::int32_t>(word<std::uint32_t>()); }
   void field(std::int64_t& value) { value = static_cast<std::int64_t>(word<std::uint64_t>()); }
+  void field(std::uint64_t& value) { value = word<std::uint64_t>(); }
   void field(double& value) { value = std::bit_cast<double>(word<std::uint64_t>()); }
   void field(Vec3& v) {
     for (int k = 0; k < 3; ++k) field(v[k]);

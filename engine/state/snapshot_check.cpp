@@ -50,6 +50,8 @@ void requireSettings(const Settings& settings) {
   require(settings.substeps >= 1, "settings.substeps", settings.substeps, "1 or more");
   require(settings.iterations >= 1, "settings.iterations", settings.iterations, "1 or more");
   require(settings.mostImpacts >= 1, "settings.mostImpacts", settings.mostImpacts, "1 or more");
+  require(settings.sleepSpeed >= 0 && std::isfinite(settings.sleepSpeed), "settings.sleepSpeed",
+          settings.sleepSpeed, "a finite number from 0");
 }
 
 void requireTrack(const WellTrack& track, const std::string& name) {
@@ -98,6 +100,24 @@ void requireContacts(std::string_view name, const std::vector<StepperMemory::Con
   }
 }
 
+/// Each group is named for the lowest of its balls.
+void requireRest(const StepperMemory::Rest& rest, std::size_t balls) {
+  requireNoneOrCount("memory.rest.group", rest.group.size(), balls);
+  const std::size_t size = rest.group.size();
+  for (const auto& [name, count] : {std::pair("memory.rest.steps", rest.steps.size()),
+                                    std::pair("memory.rest.speed", rest.speed.size()),
+                                    std::pair("memory.rest.position", rest.position.size()),
+                                    std::pair("memory.rest.acceleration", rest.acceleration.size()),
+                                    std::pair("memory.rest.isGhost", rest.isGhost.size())})
+    requireCount(name, count, size);
+  for (std::size_t i = 0; i < size; ++i) {
+    const std::uint32_t lowest = rest.group[i];
+    requireItem(lowest == StepperMemory::kAwake || (lowest <= i && rest.group[lowest] == lowest),
+                "memory.rest.group", i, "", lowest,
+                fmt::format("the lowest ball of a group; {} if awake", StepperMemory::kAwake));
+  }
+}
+
 void requireMemory(const StepperMemory& memory, std::size_t balls) {
   require(memory.substep >= 0 && std::isfinite(memory.substep), "memory.substep", memory.substep,
           "a finite number from 0");
@@ -106,6 +126,7 @@ void requireMemory(const StepperMemory& memory, std::size_t balls) {
   requireContacts("memory.arenaContacts", memory.arenaContacts, balls,
                   [](std::uint32_t b, std::size_t) { return !isBall(b); });
   requireNoneOrCount("memory.stepsInSubsteps", memory.stepsInSubsteps.size(), balls);
+  requireRest(memory.rest, balls);
   const StepperMemory::Carried& carried = memory.carried;
   requireNoneOrCount("memory.carried.position", carried.position.size(), balls);
   requireCount("memory.carried.velocity", carried.velocity.size(), carried.position.size());
@@ -125,6 +146,9 @@ void requireValid(const Snapshot& snapshot) {
   requireBalls(world.balls, world.arena);
   requireNoneOrCount("roles", world.roles.size(), world.balls.size());
   requireStep("step", world.step, 0);
+  for (std::size_t i = 0; i < world.changed.list().size(); ++i)
+    requireItem(world.changed.list()[i] < world.balls.size(), "changed", i, "",
+                world.changed.list()[i], "the id of a ball");
   requireMemory(snapshot.memory, world.balls.size());
 }
 

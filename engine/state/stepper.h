@@ -28,6 +28,7 @@ struct StepCounts {
   std::int64_t impacts = 0;     // impulses at their own time within the step
   std::int64_t clusters = 0;    // instants at which several impacts hung together
   std::int64_t handedOver = 0;  // islands that began as exact and were left to the substeps
+  std::int64_t asleep = 0;      // balls that sleep at the end of the step
   std::int64_t flightStretches = 1;  // into which the flight of a step is divided (sharp wells)
 };
 
@@ -52,6 +53,19 @@ struct StepperMemory {
   /// By ball: for so many steps more a crowd that it belongs to goes by substeps.
   std::vector<std::uint8_t> stepsInSubsteps;
 
+  /// Who sleeps, and who has rested for how long (world/sleep.h). Lists by ball, or all empty.
+  struct Rest {
+    std::uint64_t conditions = 0;       // hash of what all who sleep rely on
+    std::vector<std::uint32_t> group;   // the lowest of those that sleep with it; kAwake
+    std::vector<std::uint32_t> steps;   // of those awake: for how long it has rested
+    std::vector<double> speed;          // m/s, of those awake: more gathers speed
+    std::vector<Vec3> position;         // m, of those asleep, where they fell asleep
+    std::vector<Vec3> acceleration;     // m/s^2, of the fields, likewise
+    std::vector<std::uint8_t> isGhost;  // 1: they were, likewise
+  };
+  static constexpr std::uint32_t kAwake = 0xffffffff;
+  Rest rest;
+
   /// What the balls of the custom integrator bring along; each list by ball.
   struct Carried {
     std::vector<Vec3> position;      // m, where the last step left it
@@ -75,9 +89,11 @@ class Stepper {
 
   /// Advances `world` by one step of world.settings.dt. The same world must be passed each time,
   /// but its balls' states, roles, tracks and settings may have been changed from outside in
-  /// between (another peer's states, a hand-over). Throws std::runtime_error where it would have to
-  /// break a promise to go on (see Settings::mostImpacts), and std::invalid_argument for an unknown
-  /// integrator; `world` is then as it was.
+  /// between (another peer's states, a hand-over); states and roles of balls that may be asleep by
+  /// World::setState(), setRole() and setBalls(), because nobody looks at those. Throws
+  /// std::runtime_error where it would have to break a promise to go on (see
+  /// Settings::mostImpacts), and std::invalid_argument for an unknown integrator; `world` is then
+  /// as it was.
   virtual void step(World& world) = 0;
 
   /// Of the last step.

@@ -6,6 +6,7 @@
 
 #include "state/arena.h"
 #include "state/balls.h"
+#include "state/changed_balls.h"
 #include "state/settings.h"
 #include "state/wells.h"
 
@@ -27,8 +28,26 @@ struct World {
   // there are ghosts; empty: unknown.
   std::vector<std::uint8_t> leaning;
 
+  // Filled by setState() and setRole(); the next step of our engine takes note and clears it.
+  ChangedBalls changed;
+
   double time() const { return static_cast<double>(step) * settings.dt; }  // s
   bool owns(std::size_t ball) const { return roles.empty() || roles[ball] == Role::Owned; }
+
+  /// How anybody but an engine changes a ball that may be asleep (world/sleep.h).
+  void setState(std::size_t ball, const BallState& state) {
+    balls.setState(ball, state);
+    changed.add(ball);
+  }
+  void setRole(std::size_t ball, Role role) {
+    roles[ball] = role;
+    changed.add(ball);
+  }
+  /// All at once; as many as there are.
+  void setBalls(const Balls& others) {
+    balls = others;
+    for (std::size_t i = 0; i < balls.size(); ++i) changed.add(i);
+  }
 };
 
 }  // namespace wells

@@ -8,9 +8,13 @@ constexpr double kReachMargin =
 
 }  // namespace
 
+double pullOf(const Field& field, const Vec3& position, double dt) {
+  return length(acceleration(field, position, 0)) * dt;
+}
+
 double reachOf(const Field& field, const BallState& ball, double radius, double dt) {
   const double speed = length(ball.velocity);
-  return (speed + length(acceleration(field, ball.position, 0)) * dt) * dt + kReachMargin * radius;
+  return (speed + pullOf(field, ball.position, dt)) * dt + kReachMargin * radius;
 }
 
 bool isBeyondReach(const Vec3& start, const BallState& now, double dt, double& reach) {

@@ -24,6 +24,9 @@ struct StepPlan {
   ContactWorkspace workspace;
 };
 
+/// m/s, by how much the field changes the velocity of a ball at that place within a step.
+double pullOf(const Field& field, const Vec3& position, double dt);
+
 /// How far a ball may move during a step (m): by its speed, by twice what its present acceleration
 /// could add, and by a quarter of its radius for what an impact within the step changes. Two balls
 /// may touch when their gap is at most the sum of their reaches.

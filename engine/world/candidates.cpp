@@ -5,15 +5,13 @@
 #include "world/advance.h"
 
 namespace wells {
-namespace {
-
-constexpr double kLeaningGap = 0.05;  // of the sum of radii
-
-}  // namespace
 
 void Candidates::find(const World& world, std::span<const double> reach,
-                      std::vector<Contact>& balls, std::vector<Contact>& arena) {
-  broadphase_.update(world, reach);
+                      std::span<const std::uint32_t> among, std::vector<Contact>& balls,
+                      std::vector<Contact>& arena) {
+  isLeaning_.resize(world.balls.size());
+  for (const std::uint32_t i : among) isLeaning_[i] = 0;
+  broadphase_.update(world, reach, among);
   findBalls(world, reach, balls);
   findArena(world, reach, arena);
 }
@@ -28,13 +26,15 @@ void Candidates::findBalls(const World& world, std::span<const double> reach,
   const Balls& balls = world.balls;
   contacts.clear();
   sorted_.clear();
-  isLeaning_.assign(balls.size(), 0);
+  leaning_.clear();
   for (const BallPair& pair : broadphase_.ballPairs()) {
     const double touching = balls.radius[pair.a] + balls.radius[pair.b];
     const double squared = squaredLength(balls.position[pair.b] - balls.position[pair.a]);
     if (!world.owns(pair.a) && !world.owns(pair.b)) {
       const double leaning = touching * (1 + kLeaningGap);
-      if (squared < leaning * leaning) isLeaning_[pair.a] = isLeaning_[pair.b] = 1;
+      if (squared >= leaning * leaning) continue;
+      isLeaning_[pair.a] = isLeaning_[pair.b] = 1;
+      leaning_.push_back(std::uint64_t{pair.a} << 32 | pair.b);
       continue;
     }
     const double bound = touching + reach[pair.a] + reach[pair.b];

@@ -12,15 +12,27 @@
 
 namespace wells {
 
+/// Ghosts whose gap is at most this, of the sum of their radii, count as touching.
+inline constexpr double kLeaningGap = 0.05;
+
 class Candidates {
  public:
   /// Lists the contacts between balls and those with the arena, each by (a, b). reach[i] (m) bounds
-  /// how far ball i moves in the step; NaN: the ball is in no pair.
-  void find(const World& world, std::span<const double> reach, std::vector<Contact>& balls,
-            std::vector<Contact>& arena);
+  /// how far ball i moves in the step; NaN: the ball is in no pair. `among` are the balls that take
+  /// part, as Broadphase has it.
+  void find(const World& world, std::span<const double> reach, std::span<const std::uint32_t> among,
+            std::vector<Contact>& balls, std::vector<Contact>& arena);
+
+  /// These take no part from the next find() on, until they are among its balls again.
+  void remove(std::span<const std::uint32_t> balls) { broadphase_.remove(balls); }
 
   /// Of the last find(): pairs of the broadphase.
   std::int64_t pairs() const;
+
+  /// Of the last find(): pairs of balls that may touch, a in the upper half, b in the lower.
+  std::span<const std::uint64_t> ballPairs() const { return sorted_; }
+  /// Likewise, ghosts that touch ghosts or nearly do; see isLeaning().
+  std::span<const std::uint64_t> leaningPairs() const { return leaning_; }
 
   /// By ball, 1 for ghosts that touch ghosts: a contact between other peers' balls is theirs to
   /// compute. Here such balls only stop falling, because what holds them is not known.
@@ -31,7 +43,8 @@ class Candidates {
   void findArena(const World& world, std::span<const double> reach, std::vector<Contact>& contacts);
 
   Broadphase broadphase_;
-  std::vector<std::uint64_t> sorted_;  // a in the upper half, b in the lower
+  std::vector<std::uint64_t> sorted_;   // a in the upper half, b in the lower
+  std::vector<std::uint64_t> leaning_;  // likewise
   std::vector<std::uint8_t> isLeaning_;
 };
 

@@ -1,5 +1,7 @@
 #include "world/contact_memory.h"
 
+#include <algorithm>
+
 namespace wells {
 namespace {
 
@@ -30,6 +32,11 @@ void ContactMemory::keep(std::vector<Contact>& balls, std::vector<Contact>& aren
   std::swap(balls_, balls);
   std::swap(arena_, arena);
   substep_ = substep;
+}
+
+void ContactMemory::giveBack(std::span<const Contact> contacts) {
+  for (const Contact& c : contacts) (isBall(c.b) ? balls_ : arena_).push_back(c);
+  for (auto* list : {&balls_, &arena_}) std::ranges::sort(*list, isBefore);
 }
 
 void ContactMemory::save(StepperMemory& memory) const {

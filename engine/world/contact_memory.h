@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "contacts/contact.h"
@@ -24,17 +25,35 @@ class ContactMemory {
   void start(std::vector<Contact>& balls, std::vector<Contact>& arena, double substep,
              Appeared appeared) const {
     const double scale = isEmpty() ? 1 : substep / substep_;
-    take(balls_, scale, balls, appeared);
-    take(arena_, scale, arena, [](const Contact&) {});
+    inherit(balls_, scale, balls, appeared);
+    inherit(arena_, scale, arena, [](const Contact&) {});
   }
+
+  std::span<const Contact> balls() const { return balls_; }
+  std::span<const Contact> arena() const { return arena_; }
+
+  /// Takes out the contacts of balls for which mustGo(ball); calls taken(contact) for each, those
+  /// between balls first, in order.
+  template <class MustGo, class Taken>
+  void take(MustGo mustGo, Taken taken) {
+    for (auto* contacts : {&balls_, &arena_})
+      std::erase_if(*contacts, [&](const Contact& c) {
+        const bool goes = mustGo(c.a) || (isBall(c.b) && mustGo(c.b));
+        if (goes) taken(c);
+        return goes;
+      });
+  }
+
+  /// Adds contacts that were taken out, in any order.
+  void giveBack(std::span<const Contact> contacts);
 
   void save(StepperMemory& memory) const;
   void restore(const StepperMemory& memory);
 
  private:
   template <class Appeared>
-  static void take(const std::vector<Contact>& old, double scale, std::vector<Contact>& contacts,
-                   Appeared appeared) {
+  static void inherit(const std::vector<Contact>& old, double scale, std::vector<Contact>& contacts,
+                      Appeared appeared) {
     auto match = old.begin();
     for (Contact& c : contacts) {
       while (match != old.end() && isBefore(*match, c)) ++match;

@@ -12,10 +12,18 @@ constexpr std::uint32_t kNone = 0xffffffff;
 }  // namespace
 
 void Islands::find(std::span<const Contact> ballContacts, std::span<const Contact> arenaContacts,
-                   std::size_t ballCount) {
-  parent_.resize(ballCount);
-  std::iota(parent_.begin(), parent_.end(), 0u);
-  isPaired_.assign(ballCount, 0);
+                   std::span<const std::uint32_t> among) {
+  const std::size_t size = among.empty() ? 0 : among.back() + 1;
+  if (parent_.size() < size) {
+    parent_.resize(size);
+    islandOf_.resize(size);
+    isPaired_.resize(size);
+  }
+  for (const std::uint32_t i : among) {
+    parent_[i] = i;
+    islandOf_[i] = kNone;
+    isPaired_[i] = 0;
+  }
   for (const Contact& c : arenaContacts) isPaired_[c.a] = 1;
   for (const Contact& c : ballContacts) {
     isPaired_[c.a] = isPaired_[c.b] = 1;
@@ -29,9 +37,8 @@ void Islands::find(std::span<const Contact> ballContacts, std::span<const Contac
   }
 
   // Number the islands and count, then fill: two passes over balls and pairs.
-  islandOf_.assign(ballCount, kNone);
   ballStart_.assign(1, 0);
-  for (std::uint32_t i = 0; i < ballCount; ++i) {
+  for (const std::uint32_t i : among) {
     if (!isPaired_[i]) continue;
     const std::uint32_t r = rootOf(parent_, i);
     if (r == i) {
@@ -50,13 +57,12 @@ void Islands::find(std::span<const Contact> ballContacts, std::span<const Contac
 
   balls_.resize(ballStart_.back());
   pairs_.resize(pairStart_.back());
-  std::vector<std::uint32_t>& next = parent_;  // no longer needed: reused as fill positions
-  next.assign(ballStart_.begin(), ballStart_.end() - 1);
-  for (std::uint32_t i = 0; i < ballCount; ++i)
-    if (islandOf_[i] != kNone) balls_[next[islandOf_[i]]++] = i;
-  next.assign(pairStart_.begin(), pairStart_.end() - 1);
+  next_.assign(ballStart_.begin(), ballStart_.end() - 1);
+  for (const std::uint32_t i : among)
+    if (islandOf_[i] != kNone) balls_[next_[islandOf_[i]]++] = i;
+  next_.assign(pairStart_.begin(), pairStart_.end() - 1);
   for (const auto& list : {ballContacts, arenaContacts})
-    for (const Contact& c : list) pairs_[next[islandOf_[c.a]]++] = c;
+    for (const Contact& c : list) pairs_[next_[islandOf_[c.a]]++] = c;
 }
 
 }  // namespace wells

@@ -12,10 +12,10 @@ namespace wells {
 
 class Islands {
  public:
-  /// Splits by the pairs. Both lists are in order of (a, b); ballCount is that of the world. A ball
-  /// in no pair is in no island.
+  /// Splits `among`, rising ids, by the pairs, which name no others. Both lists are in order of (a,
+  /// b). A ball in no pair is in no island.
   void find(std::span<const Contact> ballContacts, std::span<const Contact> arenaContacts,
-            std::size_t ballCount);
+            std::span<const std::uint32_t> among);
 
   std::size_t count() const { return ballStart_.empty() ? 0 : ballStart_.size() - 1; }
 
@@ -32,10 +32,12 @@ class Islands {
   }
 
  private:
-  std::vector<std::uint32_t> parent_;  // by ball, union-find
+  // By ball; only those of the last find() are valid.
+  std::vector<std::uint32_t> parent_;  // union-find
   std::vector<std::uint32_t> islandOf_;
   std::vector<std::uint8_t> isPaired_;
-  std::vector<std::uint32_t> balls_, ballStart_, pairStart_;
+  // By island.
+  std::vector<std::uint32_t> balls_, ballStart_, pairStart_, next_;
   std::vector<Contact> pairs_;
 };
 

@@ -14,6 +14,7 @@
 #include "world/contact_memory.h"
 #include "world/exact_flight.h"
 #include "world/islands.h"
+#include "world/sleep.h"
 
 namespace wells {
 namespace {
@@ -39,35 +40,70 @@ class Simulation : public Stepper {
   void step(World& world) override {
     const Integrator& integrator = findIntegrator(world.settings.integrator);
     updateField(world, world.step, field_);
+    sleep_.begin(world, field_, contactMemory_);
     keeper_.beginStep(world, field_);
-    findReaches(world);
-    start_ = world.balls;
-    stepsInSubsteps_.resize(world.balls.size(), 0);
-    // A ball that is thrown beyond its reach may have missed a pair: the step starts over with a
-    // larger one. Reaches at least double each time, so that ends.
+    sleep_.wakeAhead(world, field_, contactMemory_);
+    makeRoom(world.balls.size());
+    for (const std::uint32_t i : sleep_.awake()) prepare(world, i);
     method_ = methodOf(world.settings, field_, integrator);
     try {
-      for (int attempts = 1; !attempt(world, integrator, attempts); ++attempts)
-        world.balls = start_;
+      tryUntilComplete(world, integrator);
     } catch (...) {
-      world.balls = start_;
+      startOver(world.balls);
       throw;
     }
     commit(world, integrator);
   }
 
   const StepperMemory* memory() const override {
-    contactMemory_.save(memory_);
+    ContactMemory contacts = contactMemory_;
+    sleep_.save(memory_.rest, contacts);
+    contacts.save(memory_);
     memory_.stepsInSubsteps = stepsInSubsteps_;
     return &memory_;
   }
 
   void restore(const StepperMemory& memory) override {
     contactMemory_.restore(memory);
+    sleep_.restore(memory.rest, contactMemory_);
     stepsInSubsteps_ = memory.stepsInSubsteps;
   }
 
  private:
+  /// A ball that is thrown beyond its reach may have missed a pair: the step starts over with a
+  /// larger one. Reaches at least double each time, so that ends. So it does where a ball may have
+  /// touched one that sleeps, who then takes part.
+  void tryUntilComplete(World& world, const Integrator& integrator) {
+    for (int attempts = 1;;) {
+      const bool isComplete = attempt(world, integrator, attempts);
+      if (!isComplete) ++attempts;
+      if (!sleep_.wakeAround(world, start_, field_, contactMemory_) && isComplete) return;
+      for (const std::uint32_t i : sleep_.woken()) prepare(world, i);
+      startOver(world.balls);
+    }
+  }
+
+  void makeRoom(std::size_t balls) {
+    start_.resize(balls);
+    reach_.resize(balls);
+    stepsInSubsteps_.resize(balls, 0);
+    nextStepsInSubsteps_.resize(balls, 0);
+    isDone_.resize(balls);
+    isTouching_.resize(balls);
+  }
+
+  /// A ball whose state is not finite gets no reach: it is in no pair and is not moved.
+  void prepare(const World& world, std::uint32_t i) {
+    start_[i] = world.balls.state(i);
+    reach_[i] = isFinite(start_[i])
+                    ? reachOf(field_, start_[i], world.balls.radius[i], world.settings.dt)
+                    : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  void startOver(Balls& balls) const {
+    for (const std::uint32_t i : sleep_.awake()) balls.setState(i, start_[i]);
+  }
+
   /// One step with the present reaches. False: one was too short and has been enlarged.
   bool attempt(World& world, const Integrator& integrator, int attempts) {
     counts_ = {};
@@ -79,7 +115,7 @@ class Simulation : public Stepper {
     const auto lastResort = mayHandOver ? WhenTooFar::HandOver : WhenTooFar::StartOver;
     if (method_ != ContactMethod::Substep && !moveByEvents(input, lastResort, world)) return false;
     startFromOldImpulses(world);
-    planFlights(world);
+    planFlights();
     counts_.substepBalls = static_cast<std::int64_t>(plan_.touching.size());
     const ResolvedCounts resolved = advance(world.settings, input.model, plan_, world.balls,
                                             keeper_.books() ? &stepBooks_ : nullptr);
@@ -90,37 +126,31 @@ class Simulation : public Stepper {
 
   void commit(World& world, const Integrator& integrator) {
     ++world.step;
+    if (!world.roles.empty()) findLeaning(world);
     contactMemory_.keep(plan_.ballContacts, plan_.arenaContacts, substepOf(world.settings));
-    std::swap(stepsInSubsteps_, nextStepsInSubsteps_);
-    if (!world.roles.empty()) findLeaning(world.leaning);
-    keeper_.endStep(world, field_, stepBooks_);
+    for (const std::uint32_t i : sleep_.awake()) stepsInSubsteps_[i] = nextStepsInSubsteps_[i];
     findQuarantined(world.balls);
+    sleep_.end(world, field_, candidates_, stepBooks_, contactMemory_);
+    candidates_.remove(sleep_.fallenAsleep());
+    counts_.asleep = static_cast<std::int64_t>(sleep_.asleep());
+    keeper_.endStep(world, field_, stepBooks_);
     integrator_ = &integrator;
   }
 
   static double substepOf(const Settings& settings) { return settings.dt / settings.substeps; }
 
-  /// A ball whose state is not finite gets no reach: it is in no pair and is not moved.
-  void findReaches(const World& world) {
-    const Balls& balls = world.balls;
-    reach_.resize(balls.size());
-    for (std::size_t i = 0; i < balls.size(); ++i)
-      reach_[i] = isFinite(balls.state(i))
-                      ? reachOf(field_, balls.state(i), balls.radius[i], world.settings.dt)
-                      : std::numeric_limits<double>::quiet_NaN();
-  }
-
-  /// For the prediction of other peers' balls.
-  void findLeaning(std::vector<std::uint8_t>& leaning) const {
-    const auto ghosts = candidates_.isLeaning();
-    leaning.assign(ghosts.begin(), ghosts.end());
+  /// For the prediction of other peers' balls. Those that sleep lean as they did.
+  void findLeaning(World& world) const {
+    std::vector<std::uint8_t>& leaning = world.leaning;
+    leaning.resize(world.balls.size(), 0);
+    for (const std::uint32_t i : sleep_.awake()) leaning[i] = candidates_.isLeaning()[i];
     for (const Contact& c : plan_.ballContacts)
       if (c.normalImpulse > 0) leaning[c.a] = leaning[c.b] = 1;
   }
 
   void findQuarantined(const Balls& balls) {
     quarantined_.clear();
-    for (std::uint32_t i = 0; i < balls.size(); ++i)
+    for (const std::uint32_t i : sleep_.awake())
       if (!isFinite(balls.state(i))) quarantined_.push_back(i);
   }
 
@@ -131,7 +161,7 @@ class Simulation : public Stepper {
     bool isComplete = true;
     Balls& balls = world.balls;
     const auto isLeaning = candidates_.isLeaning();
-    islands_.find(plan_.ballContacts, plan_.arenaContacts, balls.size());
+    islands_.find(plan_.ballContacts, plan_.arenaContacts, sleep_.awake());
     for (std::size_t n = 0; n < islands_.count(); ++n) {
       const auto island = islands_.balls(n);
       if (std::any_of(island.begin(), island.end(), [&](auto i) { return isLeaning[i] != 0; }))
@@ -178,19 +208,18 @@ class Simulation : public Stepper {
   std::size_t enlargeReaches(const World& world) {
     const Balls& balls = world.balls;
     std::size_t enlarged = 0;
-    for (std::size_t i = 0; i < balls.size(); ++i)
-      if (isBeyondReach(start_.position[i], balls.state(i), world.settings.dt, reach_[i]))
+    for (const std::uint32_t i : sleep_.awake())
+      if (isBeyondReach(start_[i].position, balls.state(i), world.settings.dt, reach_[i]))
         ++enlarged;
     return enlarged;
   }
 
   void planContacts(const World& world) {
-    candidates_.find(world, reach_, plan_.ballContacts, plan_.arenaContacts);
+    candidates_.find(world, reach_, sleep_.awake(), plan_.ballContacts, plan_.arenaContacts);
     counts_.candidatePairs = candidates_.pairs();
     counts_.contacts =
         static_cast<std::int64_t>(plan_.ballContacts.size() + plan_.arenaContacts.size());
-    isDone_.assign(world.balls.size(), 0);
-    nextStepsInSubsteps_.assign(world.balls.size(), 0);
+    for (const std::uint32_t i : sleep_.awake()) isDone_[i] = nextStepsInSubsteps_[i] = 0;
   }
 
   void startFromOldImpulses(const World& world) {
@@ -213,15 +242,15 @@ class Simulation : public Stepper {
     if (world.settings.rollingResistance == 0) forget(&Contact::rollingImpulse);
   }
 
-  void planFlights(const World& world) {
+  void planFlights() {
     const auto isLeaning = candidates_.isLeaning();
-    isTouching_.assign(world.balls.size(), 0);
+    for (const std::uint32_t i : sleep_.awake()) isTouching_[i] = 0;
     for (const Contact& c : plan_.ballContacts) isTouching_[c.a] = isTouching_[c.b] = 1;
     for (const Contact& c : plan_.arenaContacts) isTouching_[c.a] = 1;
     plan_.free.clear();
     plan_.touching.clear();
     plan_.drifting.clear();
-    for (std::uint32_t i = 0; i < isTouching_.size(); ++i) {
+    for (const std::uint32_t i : sleep_.awake()) {
       if (isDone_[i] || std::isnan(reach_[i])) continue;
       auto& list = isLeaning[i] ? plan_.drifting : isTouching_[i] ? plan_.touching : plan_.free;
       list.push_back(i);
@@ -234,6 +263,7 @@ class Simulation : public Stepper {
   Candidates candidates_;
   ContactMemory contactMemory_;
   std::vector<std::uint8_t> stepsInSubsteps_;  // by ball, see StepperMemory
+  Sleep sleep_;
   BookKeeper keeper_;
   // Of the last step.
   StepCounts counts_;
@@ -243,15 +273,16 @@ class Simulation : public Stepper {
   mutable StepperMemory memory_;  // made when asked for
   // Of the step or the attempt at hand.
   Field field_;
-  Balls start_;
-  std::vector<double> reach_;  // m, by ball
+  // By ball; only those of balls that are awake are valid.
+  std::vector<BallState> start_;
+  std::vector<double> reach_;         // m
+  std::vector<std::uint8_t> isDone_;  // moved by events
+  std::vector<std::uint8_t> isTouching_;
+  std::vector<std::uint8_t> nextStepsInSubsteps_;
   Islands islands_;
   ExactFlight exact_;
   StepPlan plan_;
   Books stepBooks_;
-  std::vector<std::uint8_t> isDone_;  // by ball: moved by events
-  std::vector<std::uint8_t> isTouching_;
-  std::vector<std::uint8_t> nextStepsInSubsteps_;
 };
 
 }  // namespace

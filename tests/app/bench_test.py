@@ -12,7 +12,7 @@ from peers import run
 HEADER = ("scene,engine,integrator,contacts,balls,dt,steps,threads,ms_per_step,ms_per_step_last100,"
           "max_overlap_m,ball_overlap_m,ground_overlap_m,wall_overlap_m,energy_start_J,energy_end_J,"
           "kinetic_start_J,kinetic_end_J,escaped,settled_s,"
-          "moved_m,kinetic_rise_J,exact_share,substep_share,impacts,handed_over,direct_contacts,unsolved_islands,contacts_J,friction_J,drag_J,wells_J,push_out_J,flight_J,peak_rss_MiB,"
+          "moved_m,kinetic_rise_J,asleep,exact_share,substep_share,impacts,handed_over,direct_contacts,unsolved_islands,contacts_J,friction_J,drag_J,wells_J,push_out_J,flight_J,peak_rss_MiB,"
           "state_hash,commit,compiler,flags,cpu")
 SOURCES = ("contacts_J", "friction_J", "drag_J", "wells_J", "push_out_J", "flight_J")
 ENGINES = ("ours", "reference-euler", "reference-improved-euler", "reference-rk", "bullet")

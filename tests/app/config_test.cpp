@@ -130,6 +130,7 @@ TEST(ConfigFile, RefusesEveryBadValue) {
       {"Substeps=0", "out of range"},
       {"Iterations=0", "out of range"},
       {"MostImpacts=0", "out of range"},
+      {"SleepSpeed=-1e-9", "out of range"},
       {"PeerID=0", "out of range"},
       {"PeerID=256", "out of range"},
       {"UDPPort=80", "out of range"},

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <numeric>
 #include <set>
 #include <utility>
 #include <vector>
 
+#include "broadphase/resting_boxes.h"
 #include "math/random.h"
 
 namespace wells {
@@ -23,6 +25,12 @@ Pairs bruteForce(const World& world, const std::vector<double>& reach) {
       if (length(b.position[i] - b.position[j]) - b.radius[i] - b.radius[j] <= reach[i] + reach[j])
         pairs.emplace(i, j);
   return pairs;
+}
+
+std::vector<std::uint32_t> allOf(const World& world) {
+  std::vector<std::uint32_t> all(world.balls.size());
+  std::iota(all.begin(), all.end(), 0u);
+  return all;
 }
 
 void expectComplete(const World& world, const std::vector<double>& reach, const Broadphase& found) {
@@ -72,7 +80,7 @@ void expectCompleteWhileMoving(World world, std::uint64_t seed) {
         reach[i] = 2;
       }
     }
-    broadphase.update(world, reach);
+    broadphase.update(world, reach, allOf(world));
     expectComplete(world, reach, broadphase);
   }
 }
@@ -99,13 +107,13 @@ TEST(Broadphase, TouchesOnlyProxiesThatLeaveTheirBoxes) {
   World world = randomWorld(100, 0.5, 0.5, {0, 0, 0}, 9);
   const std::vector<double> reach(100, 0.1);
   Broadphase broadphase;
-  broadphase.update(world, reach);
+  broadphase.update(world, reach, allOf(world));
   EXPECT_EQ(broadphase.moved(), 100);
   world.balls.position[7].x() += 0.01;
-  broadphase.update(world, reach);
+  broadphase.update(world, reach, allOf(world));
   EXPECT_EQ(broadphase.moved(), 0);
   world.balls.position[7].x() += 1;
-  broadphase.update(world, reach);
+  broadphase.update(world, reach, allOf(world));
   EXPECT_EQ(broadphase.moved(), 1);
 }
 
@@ -113,14 +121,14 @@ TEST(Broadphase, LeavesOutWhatIsNotFiniteAndTakesItBack) {
   World world = randomWorld(50, 0.5, 0.5, {0, 0, 0}, 11);
   const std::vector<double> reach(50, 0.1);
   Broadphase broadphase;
-  broadphase.update(world, reach);
+  broadphase.update(world, reach, allOf(world));
   const Vec3 place = world.balls.position[3];
   world.balls.position[3].y() = std::numeric_limits<double>::quiet_NaN();
-  broadphase.update(world, reach);
+  broadphase.update(world, reach, allOf(world));
   for (const BallPair& pair : broadphase.ballPairs()) EXPECT_TRUE(pair.a != 3 && pair.b != 3);
   for (const std::uint32_t i : broadphase.nearGround()) EXPECT_NE(i, 3u);
   world.balls.position[3] = place;
-  broadphase.update(world, reach);
+  broadphase.update(world, reach, allOf(world));
   expectComplete(world, reach, broadphase);
 }
 
@@ -129,9 +137,68 @@ TEST(Broadphase, StartsAfreshWhenTheWorldIsAnother) {
   for (const std::size_t count : {20u, 40u, 10u}) {
     const World world = randomWorld(count, 0.5, 0.5, {double(count), 0, 0}, count);
     const std::vector<double> reach(count, 0.2);
-    broadphase.update(world, reach);
+    broadphase.update(world, reach, allOf(world));
     expectComplete(world, reach, broadphase);
   }
+}
+
+// Balls that are removed are in no pair, few or many at once; they may come back.
+TEST(Broadphase, LeavesOutWhatWasRemoved) {
+  const World world = randomWorld(300, 0.3, 0.6, Vec3::Zero(), 4);
+  const std::vector<double> reach(300, 0.2);
+  Broadphase broadphase;
+  broadphase.update(world, reach, allOf(world));
+  for (const std::size_t count : {3u, 100u, 150u}) {
+    std::vector<std::uint32_t> out = allOf(world);
+    std::vector<std::uint32_t> in(out.begin() + static_cast<std::ptrdiff_t>(count), out.end());
+    out.resize(count);
+    broadphase.remove(out);
+    broadphase.update(world, reach, in);
+    Pairs listed;
+    for (const BallPair& pair : broadphase.ballPairs()) {
+      EXPECT_GE(pair.a, count);
+      EXPECT_TRUE(listed.emplace(pair.a, pair.b).second);
+    }
+    for (const auto& pair : bruteForce(world, reach))
+      EXPECT_TRUE(pair.first < count || listed.contains(pair)) << pair.first << " " << pair.second;
+    for (const std::uint32_t i : broadphase.nearGround()) EXPECT_GE(i, count);
+    for (const std::uint32_t i : broadphase.nearWall()) EXPECT_GE(i, count);
+    broadphase.update(world, reach, allOf(world));
+    expectComplete(world, reach, broadphase);
+  }
+}
+
+// Against a look at every box, while balls come and go.
+TEST(RestingBoxes, FindsWhatOverlaps) {
+  const World world = randomWorld(400, 0.1, 1, {3, -2, 5}, 5);
+  Random random(6);
+  RestingBoxes boxes;
+  std::set<std::uint32_t> there;
+  for (int round = 0; round < 2000; ++round) {
+    const auto ball = static_cast<std::uint32_t>(random.below(400));
+    if (there.erase(ball) > 0) {
+      boxes.remove(ball);
+    } else {
+      there.insert(ball);
+      boxes.add(ball, world.balls.position[ball], world.balls.radius[ball]);
+    }
+    const Vec3 center = world.balls.position[random.below(400)];
+    const double half = random.uniform(0, 3);
+    std::vector<std::uint32_t> found;
+    boxes.find(center - Vec3::Constant(half), center + Vec3::Constant(half), found);
+    const std::set<std::uint32_t> sorted(found.begin(), found.end());
+    EXPECT_EQ(sorted.size(), found.size()) << "each once";
+    std::set<std::uint32_t> expected;
+    for (const std::uint32_t i : there)
+      if (((world.balls.position[i] - center).cwiseAbs().array() <= world.balls.radius[i] + half)
+              .all())
+        expected.insert(i);
+    ASSERT_EQ(sorted, expected);
+  }
+  boxes.clear();
+  std::vector<std::uint32_t> found;
+  boxes.find(Vec3::Constant(-100), Vec3::Constant(100), found);
+  EXPECT_TRUE(found.empty());
 }
 
 }  // namespace

@@ -124,14 +124,19 @@ class Group {
     for (auto& peer : peers_) {
       if (peer->isStalled) continue;
       const Times now = timesOf(*peer);
-      peer->session->beforeStep(peer->world, now);
+      const auto session = [&](auto call) {
+        const World before = peer->world;
+        call();
+        expectAnnounced(before, peer->world);
+      };
+      session([&] { peer->session->beforeStep(peer->world, now); });
       check(*peer);
       const int steps = peer->session->mayStep(peer->world, now);
       for (int i = 0; i < steps; ++i) {
         peer->stepper->step(peer->world);
-        peer->session->afterStep(peer->world, now);
+        session([&] { peer->session->afterStep(peer->world, now); });
       }
-      if (steps == 0) peer->session->afterStep(peer->world, now);
+      if (steps == 0) session([&] { peer->session->afterStep(peer->world, now); });
       check(*peer);
     }
   }
@@ -210,6 +215,18 @@ class Group {
 
  private:
   using Tenure = std::tuple<std::size_t, Generation, std::int64_t, Incarnation, std::int64_t>;
+
+  /// Whatever the session changes, the engine is told: it might be asleep.
+  static void expectAnnounced(const World& before, const World& after) {
+    const auto& changed = after.changed.list();
+    for (std::uint32_t i = 0; i < after.balls.size(); ++i) {
+      const BallState x = before.balls.state(i);
+      const BallState y = after.balls.state(i);
+      const bool isSame = x.position == y.position && x.velocity == y.velocity &&
+                          x.spin == y.spin && before.roles[i] == after.roles[i];
+      ASSERT_TRUE(isSame || std::ranges::find(changed, i) != changed.end()) << "ball " << i;
+    }
+  }
 
   /// A tenure has one owner ever; versions only rise; nothing is lost and nothing is NaN.
   void check(TestPeer& peer) {

@@ -116,6 +116,57 @@ TEST(Session, AGroupAgreesOnEveryWellAtEveryStep) {
   }
 }
 
+// Nothing pulls and all balls lie on the ground. Each peer lets its own sleep and the others', and
+// whoever moves one wakes it everywhere.
+TEST(Session, BallsAtRestSleepWithAllPeersAndWakeWithTheirOwner) {
+  Group group(25);
+  for (int id = 1; id <= 2; ++id) {
+    SessionOptions options = testOptions(id);
+    options.well = restingWell({id == 1 ? -12.0 : 12.0, 0.5, 0}, 0);
+    group.add(options);
+  }
+  group.run(40);
+  for (const auto& peer : group.peers()) EXPECT_EQ(peer->stepper->counts().asleep, 25);
+  group.run(5);
+  for (const auto& peer : group.peers()) EXPECT_EQ(peer->stepper->counts().asleep, 25);
+
+  TestPeer& owner = *group.peers()[0];
+  TestPeer& other = *group.peers()[1];
+  const auto ball = static_cast<std::size_t>(std::ranges::find(owner.world.roles, Role::Owned) -
+                                             owner.world.roles.begin());
+  const Vec3 start = owner.world.balls.position[ball];
+  owner.world.setState(ball, {.position = start, .velocity = {2, 0, 0}});
+  group.run(1);
+  EXPECT_EQ(owner.stepper->counts().asleep, 24);
+  EXPECT_EQ(other.stepper->counts().asleep, 24);
+  EXPECT_GT(length(other.world.balls.position[ball] - start), 0.5);
+  ASSERT_TRUE(group.settle(5));
+  group.expectEqualViews();
+}
+
+// The wells go round, so that balls change hands; they do not pull.
+TEST(Session, BallsAtRestStayWhereTheyAreWhoeverOwnsThem) {
+  Group group(25);
+  for (int id = 1; id <= 2; ++id) {
+    SessionOptions options = testOptions(id);
+    options.well = circlingWell(10, 0);
+    group.add(options);
+  }
+  group.run(40);
+  const std::vector<Vec3> before = group.peers()[0]->world.balls.position;
+  const std::int64_t given = group.peers()[0]->session->counts().balls.handoversGiven;
+  std::int64_t most = 0;
+  for (int i = 0; i < 600; ++i) {
+    group.tick();
+    most = std::max(most, group.peers()[0]->stepper->counts().asleep);
+  }
+  EXPECT_GT(group.peers()[0]->session->counts().balls.handoversGiven, given + 10);
+  EXPECT_GE(most, 20);
+  ASSERT_TRUE(group.settle(5));
+  group.expectEqualViews();
+  EXPECT_EQ(group.peers()[0]->world.balls.position, before);
+}
+
 TEST(Session, TheViewDifferenceIsHowFarABallWasShownFromItsOwnersState) {
   Group group(25);
   for (int id = 1; id <= 2; ++id) {

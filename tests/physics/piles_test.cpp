@@ -22,10 +22,13 @@ struct Force {
   double tangent = 0;  // N
 };
 
-/// A world, its engine, and the forces of contact that the engine remembers.
+/// A world, its engine, and the forces of contact that the engine remembers. Nothing sleeps, so
+/// that what stands does so by its forces.
 class Pile {
  public:
-  explicit Pile(World start) : world(std::move(start)), start_(world.balls) {}
+  explicit Pile(World start) : world(std::move(start)), start_(world.balls) {
+    world.settings.sleepSpeed = 0;
+  }
 
   void step() {
     simulation_->step(world);

@@ -58,7 +58,8 @@ inline Snapshot anySnapshot(std::uint64_t seed, std::size_t balls) {
       .contactMethod = random.below(2) == 1 ? ContactMethod::Exact : ContactMethod::Substep,
       .substeps = static_cast<int>(5 + random.below(100)),
       .iterations = static_cast<int>(200 + random.below(100)),
-      .mostImpacts = static_cast<std::int64_t>(random.below(1u << 20)) + (1ll << 40)};
+      .mostImpacts = static_cast<std::int64_t>(random.below(1u << 20)) + (1ll << 40),
+      .sleepSpeed = random.uniform(0.1, 0.7)};
   world.arena = {.center = 100 * random.direction(), .radius = random.uniform(50, 90)};
   for (int t = 0; t < 3; ++t) {
     WellTrack& track = world.tracks.emplace_back();
@@ -71,12 +72,21 @@ inline Snapshot anySnapshot(std::uint64_t seed, std::size_t balls) {
     track.softening = anyLength(random);
     track.peer = PeerId{static_cast<std::int32_t>(1 + random.below(kMaxPeerId))};
   }
-  for (std::size_t i = 0; i < balls; ++i) {
+  for (std::uint32_t i = 0; i < balls; ++i) {
     world.balls.add({anyVector(random), anyVector(random), anyVector(random)}, anyLength(random),
                     anyLength(random));
     world.roles.push_back(random.below(2) == 1 ? Role::Ghost : Role::Owned);
     s.memory.stepsInSubsteps.push_back(static_cast<std::uint8_t>(random.below(kCrowdSteps + 1)));
+    StepperMemory::Rest& rest = s.memory.rest;
+    rest.group.push_back(i % 3 == 0 ? StepperMemory::kAwake : i % 3 == 1 ? i : i - 1);
+    rest.steps.push_back(static_cast<std::uint32_t>(random.below(1u << 20)));
+    rest.isGhost.push_back(static_cast<std::uint8_t>(random.below(2)));
+    if (random.below(2) == 1) world.changed.add(i);
   }
+  s.memory.rest.conditions = random.bits();
+  for (std::size_t i = 0; i < balls; ++i) s.memory.rest.speed.push_back(anyDouble(random));
+  s.memory.rest.position = anyVectors(random, balls);
+  s.memory.rest.acceleration = anyVectors(random, balls);
   world.step = static_cast<std::int64_t>(random.below(1ull << 50)) + 1;
   for (std::uint32_t i = 1; i < balls; ++i) {
     s.memory.ballContacts.push_back(anyContact(random, i - 1, i));
@@ -135,6 +145,7 @@ inline void expectSame(const Snapshot& a, const Snapshot& b) {
   EXPECT_EQ(s.substeps, t.substeps);
   EXPECT_EQ(s.iterations, t.iterations);
   EXPECT_EQ(s.mostImpacts, t.mostImpacts);
+  EXPECT_TRUE(same(s.sleepSpeed, t.sleepSpeed));
   EXPECT_TRUE(same(a.world.arena.center, b.world.arena.center));
   EXPECT_TRUE(same(a.world.arena.radius, b.world.arena.radius));
   EXPECT_TRUE(same(a.world.tracks, b.world.tracks));
@@ -145,9 +156,19 @@ inline void expectSame(const Snapshot& a, const Snapshot& b) {
   EXPECT_TRUE(same(a.world.balls.mass, b.world.balls.mass));
   EXPECT_EQ(a.world.roles, b.world.roles);
   EXPECT_EQ(a.world.step, b.world.step);
+  EXPECT_EQ(a.world.changed.list(), b.world.changed.list());
   EXPECT_TRUE(same(a.memory.ballContacts, b.memory.ballContacts));
   EXPECT_TRUE(same(a.memory.arenaContacts, b.memory.arenaContacts));
   EXPECT_EQ(a.memory.stepsInSubsteps, b.memory.stepsInSubsteps);
+  const StepperMemory::Rest& r = a.memory.rest;
+  const StepperMemory::Rest& q = b.memory.rest;
+  EXPECT_EQ(r.conditions, q.conditions);
+  EXPECT_EQ(r.group, q.group);
+  EXPECT_EQ(r.steps, q.steps);
+  EXPECT_TRUE(same(r.speed, q.speed));
+  EXPECT_TRUE(same(r.position, q.position));
+  EXPECT_TRUE(same(r.acceleration, q.acceleration));
+  EXPECT_EQ(r.isGhost, q.isGhost);
   EXPECT_TRUE(same(a.memory.carried.position, b.memory.carried.position));
   EXPECT_TRUE(same(a.memory.carried.velocity, b.memory.carried.velocity));
   EXPECT_TRUE(same(a.memory.carried.lastVelocity, b.memory.carried.lastVelocity));

@@ -80,18 +80,18 @@ TEST(Snapshot, HasTheDocumentedLayout) {
   snapshot.engine = "e";
   const std::string bytes = encode(snapshot);
   EXPECT_EQ(bytes.substr(0, 8), "wellsnap");
-  EXPECT_EQ(bytes.substr(kVersionAt, 4), std::string("\1\0\0\0", 4));
+  EXPECT_EQ(bytes.substr(kVersionAt, 4), std::string("\2\0\0\0", 4));
   EXPECT_EQ(static_cast<unsigned char>(bytes[kLengthAt]) +
                 256u * static_cast<unsigned char>(bytes[kLengthAt + 1]),
             bytes.size());
   double dt = 0;
   std::memcpy(&dt, bytes.data() + kFieldsAt, 8);  // this machine is little-endian, as the format
   EXPECT_EQ(dt, 1.0 / 60);
-  const std::size_t settings = 8 + 24 + 4 * 8 + (8 + 3) + 1 + 4 + 4 + 8;
+  const std::size_t settings = 8 + 24 + 4 * 8 + (8 + 3) + 1 + 4 + 4 + 8 + 8;
   const std::size_t arena = 24 + 8;
   const std::size_t step = kFieldsAt + settings + arena + 8 + 5 * 8 + 8;
   EXPECT_EQ(bytes.substr(step, 8), std::string("\2\1\0\0\0\0\0\0", 8));
-  EXPECT_EQ(bytes.size(), step + 8 + 8 + 7 * 8 + (8 + 1) + 8 + 8);
+  EXPECT_EQ(bytes.size(), step + 8 + 8 + 8 + (8 + 6 * 8) + 7 * 8 + (8 + 1) + 8 + 8);
 }
 
 TEST(Snapshot, EveryCutIsRefused) {
@@ -131,7 +131,7 @@ TEST(Snapshot, SaysWhatIsWrongWithTheHead) {
   EXPECT_TRUE(contains(errorOf("id"), "not a snapshot"));
   std::string newer = bytes;
   put(newer, kVersionAt, 7, 4);
-  EXPECT_EQ(errorOf(sealed(newer)), "is of format version 7; this program reads 1");
+  EXPECT_EQ(errorOf(sealed(newer)), "is of format version 7; this program reads 2");
   EXPECT_TRUE(contains(errorOf(bytes + "x"), "altered: has "));
   std::string huge = bytes;
   put(huge, kLengthAt, ~0ull, 8);
@@ -160,7 +160,7 @@ TEST(Snapshot, ContentThatNobodyEncodedIsRefusedOrValid) {
 
 TEST(Snapshot, AHugeCountIsRefusedBeforeAnythingIsAllocated) {
   std::string bytes = encode({});
-  const std::size_t wells = kFieldsAt + 8 + 24 + 4 * 8 + (8 + 5) + 1 + 4 + 4 + 8 + 24 + 8;
+  const std::size_t wells = kFieldsAt + 8 + 24 + 4 * 8 + (8 + 5) + 1 + 4 + 4 + 8 + 8 + 24 + 8;
   put(bytes, wells, 1ull << 60, 8);
   const std::string error = errorOf(sealed(bytes));
   EXPECT_TRUE(contains(error, "length of wells = 1152921504606846976; allowed: at most ")) << error;
@@ -192,6 +192,15 @@ TEST(Snapshot, NamesTheFieldThatIsOutOfRange) {
       {"settings.substeps = 0; ", [](Snapshot& s) { s.world.settings.substeps = 0; }},
       {"settings.iterations = -4; ", [](Snapshot& s) { s.world.settings.iterations = -4; }},
       {"settings.mostImpacts = 0; ", [](Snapshot& s) { s.world.settings.mostImpacts = 0; }},
+      {"settings.sleepSpeed = -1; ", [](Snapshot& s) { s.world.settings.sleepSpeed = -1; }},
+      {"length of memory.rest.speed = ", [](Snapshot& s) { s.memory.rest.speed.pop_back(); }},
+      {"memory.rest.group[1] = 2; ", [](Snapshot& s) { s.memory.rest.group[1] = 2; }},
+      {"memory.rest.group[2] = 0; ", [](Snapshot& s) { s.memory.rest.group[2] = 0; }},
+      {"changed[0] = 99; ",
+       [](Snapshot& s) {
+         s.world.changed.clear();
+         s.world.changed.add(99);
+       }},
       {"arena.center = inf,0,0; ",
        [](Snapshot& s) {
          s.world.arena.center = {HUGE_VAL, 0, 0};

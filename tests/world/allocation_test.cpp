@@ -37,5 +37,15 @@ TEST(Allocation, WarmStepTakesNothingFromTheHeap) {
   EXPECT_EQ(allocations - before, 0);
 }
 
+TEST(Allocation, NorDoesOneAtAWorldThatSleeps) {
+  World world = makeScene(findScene("T3"), 500);
+  const auto simulation = makeSimulation();
+  for (int step = 0; step < 60; ++step) simulation->step(world);
+  ASSERT_EQ(simulation->counts().asleep, 500);
+  const long before = allocations;
+  for (int step = 0; step < 100; ++step) simulation->step(world);
+  EXPECT_EQ(allocations - before, 0);
+}
+
 }  // namespace
 }  // namespace wells

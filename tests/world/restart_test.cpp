@@ -1,6 +1,7 @@
 // A run that is saved and goes on in a fresh engine has the bits of one that was never interrupted.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -53,6 +54,14 @@ World withGhosts() {
   return world;
 }
 
+// The ball beneath it rests and sleeps until then.
+World wellThatLeaves() {
+  World world;
+  world.balls.add({.position = {0, 0.5, 0}}, 0.5, 1);
+  world.tracks = {{.keyframes = {{0, {0, 6, 0}, 20}, {100, {0, 6, 0}, 20}, {160, {6, 6, 0}, 20}}}};
+  return world;
+}
+
 std::vector<Case> cases() {
   return {{"T1", makeScene(findScene("T1"), 200), 150, {0, 1, 60, 61, 110}},
           {"T2", makeScene(findScene("T2"), 100), 120, {1, 50}},
@@ -62,7 +71,9 @@ std::vector<Case> cases() {
           {"moving wells", movingWells(), 220, {39, 40, 96, 180}},
           {"a ball that is not finite", withLostBall(), 60, {1, 40}},
           {"rolling resistance", withRollingResistance(), 120, {60, 90}},
-          {"ghosts", withGhosts(), 90, {70}}};
+          {"ghosts", withGhosts(), 90, {70}},
+          {"T3", makeScene(findScene("T3"), 100), 60, {10, 29, 30, 45}},
+          {"a well that wakes", wellThatLeaves(), 140, {20, 60, 99, 100, 101}}};
 }
 
 // The hash after each step.
@@ -154,6 +165,41 @@ TEST(Restart, AfterEveryStepOfACrowdThatParts) {
   }
   world.balls.position.back().y() -= 0.1;
   expectSameBitsAfterEveryStep(world, 60);
+}
+
+// Changed from outside, saved before anybody has noticed: whole islands wake, and sleep again.
+TEST(Restart, AfterEveryStepOfSleepersThatWake) {
+  for (const ContactMethod method :
+       {ContactMethod::Substep, ContactMethod::Exact, ContactMethod::Auto}) {
+    SCOPED_TRACE(name(method));
+    World world = makeScene(findScene("T3"), 100);
+    for (int k = 1; k < 4; ++k)  // a column on the ball in the middle
+      world.balls.add({.position = {0, 0.5 + k, 0}}, 0.5, 1);
+    world.roles.assign(world.balls.size(), Role::Owned);
+    world.roles[102] = Role::Ghost;
+    world.settings.contactMethod = method;
+    const auto stepper = makeSimulation();
+    goOn(*stepper, world, 60);
+    ASSERT_EQ(stepper->counts().asleep, 103);
+    BallState noisy = world.balls.state(102);
+    noisy.position.x() += 0.3 * world.settings.sleepSpeed;
+    world.setState(102, noisy);
+    world.setState(20, {.position = {1.5, 3, 0.3}, .velocity = {-4, -5, 0}});
+    Snapshot snapshot = saved(world, *stepper);
+    std::int64_t most = 0;
+    while (world.step < 240) {
+      stepper->step(world);
+      const auto after = makeSimulation();
+      after->restore(snapshot.memory);
+      after->step(snapshot.world);
+      ASSERT_EQ(stateHash(snapshot.world), stateHash(world)) << world.step;
+      ASSERT_EQ(after->counts().asleep, stepper->counts().asleep) << world.step;
+      most = std::max(most, 103 - stepper->counts().asleep);
+      snapshot = saved(snapshot.world, *after);
+    }
+    EXPECT_GE(most, 6) << "the column and some more";
+    EXPECT_GE(stepper->counts().asleep, 50);
+  }
 }
 
 // The cases above are worth something only where the memory matters.
