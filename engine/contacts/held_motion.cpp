@@ -8,9 +8,6 @@ namespace {
 
 constexpr double kHolding = 1 / kSlipRatio;  // friction that rolling takes over the slip's pull
 constexpr double kSlipNoise = 1e-10;
-constexpr double kTurningShare = 1.0 / 8;      // of the time in which friction ends a slip
-constexpr double kFollowingShare = 1.0 / 256;  // of the slip that friction ends in a stretch
-constexpr double kShortestStep = 1.0 / 256;    // of a stretch: bounds the work
 
 Surface surfaceOf(const PathModel& model, const Path& path) {
   return {*model.arena, path.surface, path.state.position, path.radius};

@@ -91,6 +91,12 @@ double slipNoise(const BallState& ball, double radius);
 /// A motion that turns further than this (rad) round the wall within a step goes in several pieces.
 inline constexpr double kLongestArc = 1.0 / 8;
 
+// Of the steps through a slip that turns:
+inline constexpr double kTurningShare = 1.0 / 8;      // of the time in which friction ends it
+inline constexpr double kFollowingShare = 1.0 / 256;  // of the slip that friction ends in a stretch
+inline constexpr double kShortestStep = 1.0 / 256;    // of a stretch: bounds the work
+inline constexpr double kBeginning = 1.0 / 64;  // of a stretch, after which it must have begun
+
 inline constexpr double kSlipRatio = 1 + 1 / kInertiaFactor;  // u' over v' of friction, 7/2
 
 }  // namespace wells

@@ -133,7 +133,8 @@ Encounter encounterOfBalls(const PathModel& model, const Path& a, const Path& b,
 
 Encounter encounterWithArena(const PathModel& model, const Path& ball, std::uint32_t partner,
                              double from, double until) {
-  if (ball.motion != Motion::Flying && ball.surface == partner) return {};
+  if (ball.motion != Motion::Flying && (ball.surface == partner || ball.surface == kCorner))
+    return {};
   return partner == kGround ? encounterWithGround(model, ball, from, until)
                             : encounterWithWall(model, ball, from, until);
 }
