@@ -132,12 +132,10 @@ IslandFate ExactFlight::simulate(const StepInput& in, std::span<const Contact> p
 
 IslandFate ExactFlight::resolve(const StepInput& in, double time, Balls& balls) {
   const bool isElastic = in.settings.elasticity == 1;
-  double elasticity = in.settings.elasticity;
-  const double pressing = pressingOfLoneBall(in, time, balls);
-  if (pressing > 0)
-    elasticity = settles(*in.model.arena, elasticity, pressing, balls) ? 0 : elasticity;
-  else if (!isElastic && isTooSlow(in, time, balls))
+  const Bounce bounce = bounceOfLoneBall(in, time, balls);
+  if (bounce == Bounce::OfMany && !isElastic && isTooSlow(in, time, balls))
     return IslandFate::Sustained;
+  const double elasticity = bounce == Bounce::Last ? 0 : in.settings.elasticity;
   const std::int64_t impulses =
       resolveImpacts(elasticity, in.settings.friction, cluster_, balls, ledger_);
   // It touches and closes no faster than rounding: where a force may press it together, it lasts.
@@ -149,18 +147,24 @@ IslandFate ExactFlight::resolve(const StepInput& in, double time, Balls& balls) 
   return counts_.impacts > mostInelastic_ ? IslandFate::Sustained : IslandFate::Done;
 }
 
-double ExactFlight::pressingOfLoneBall(const StepInput& in, double time, const Balls& balls) const {
-  if (cluster_.size() != 1 || isBall(cluster_[0].b)) return 0;
-  const std::uint32_t ball = cluster_[0].a;
-  const Path path{balls.state(ball), time, balls.radius[ball], Motion::Flying, cluster_[0].b};
-  return loadOn(in.model, path, time).pressing;
+ExactFlight::Bounce ExactFlight::bounceOfLoneBall(const StepInput& in, double time,
+                                                  const Balls& balls) const {
+  bool isLast = true;
+  for (const Contact& c : cluster_) {
+    if (isBall(c.b)) return Bounce::OfMany;
+    if (cluster_.size() > 1 && !(closingSpeed(balls, c) > 0)) continue;
+    const Path path{balls.state(c.a), time, balls.radius[c.a], Motion::Flying, c.b};
+    const double pressing = loadOn(in.model, path, time).pressing;
+    if (!(pressing > 0)) return Bounce::OfMany;
+    isLast = isLast && settles(*in.model.arena, in.settings.elasticity, pressing, c, balls);
+  }
+  return isLast ? Bounce::Last : Bounce::OneOfASeries;
 }
 
 // The flights that are left last 2 e v / (N (1 - e)) in all, N the pressing acceleration; the next
 // one rises by (e v)^2 / (2 N).
-bool ExactFlight::settles(const Arena& arena, double elasticity, double pressing,
+bool ExactFlight::settles(const Arena& arena, double elasticity, double pressing, const Contact& c,
                           const Balls& balls) const {
-  const Contact& c = cluster_[0];
   const double after = elasticity * closingSpeed(balls, c);
   const double size = c.b == kGround ? std::abs(balls.position[c.a].y()) + balls.radius[c.a]
                                      : length(arena.center) + arena.radius;
