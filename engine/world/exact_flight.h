@@ -101,9 +101,17 @@ class ExactFlight {
   };
   /// Of the cluster.
   Bounce bounceOfLoneBall(const StepInput& in, double time, const Balls& balls) const;
+  /// m/s^2, of a lone ball to ground or wall.
+  static double pressingOn(const StepInput& in, double time, const Contact& c, const Balls& balls);
   /// True when the bounce at ground or wall is the last that counts. `pressing` in m/s^2.
   bool settles(const Arena& arena, double elasticity, double pressing, const Contact& c,
                const Balls& balls) const;
+  /// True when a ball that leaves the surface at `rising` (m/s) hardly leaves it.
+  static bool isTooLow(const Arena& arena, double rising, double pressing, const Contact& c,
+                       const Balls& balls);
+  /// Of a lone ball in the corner: friction on one surface makes it leave the other, but so slowly
+  /// that rounding hides the hop.
+  void endHops(const StepInput& in, double time, Balls& balls);
   /// Adds the next impact of pair p. False: its contact lasts.
   bool foresee(const StepInput& in, std::span<const Contact> pairs, std::uint32_t p);
   /// Ball i has followed its path until t.
