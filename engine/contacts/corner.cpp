@@ -1,5 +1,7 @@
 #include "contacts/corner.h"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "contacts/corner_motion.h"
@@ -11,6 +13,9 @@ namespace {
 // What the ends of slips give back to the other three, by the impulses that stop them.
 constexpr double kOfOne = 1 / kSlipRatio;         // 2/7
 constexpr double kOfBoth = 1 / (1 + kSlipRatio);  // 2/9
+
+constexpr double kHiddenHop = 1e-13;   // of the size of the coordinates
+constexpr double kEndingSlip = 1e-10;  // of the same, for about the way that it goes on
 
 Cornered withoutSlip(Cornered now, std::uint32_t rolling) {
   if (rolling == kCorner)
@@ -40,11 +45,12 @@ bool isOver(std::uint32_t rolling, std::optional<CornerEnd> ended) {
          (ended == CornerEnd::SlipsOnBoth && rolling == kCorner);
 }
 
-/// Sets how the ball of `path` moves in the corner, and returns what holds it.
-std::uint32_t chooseMotion(const PathModel& model, std::optional<CornerEnd> ended, Path& path) {
+/// Sets how the ball of `path` moves in the corner, and returns what holds it. A slip up to `noise`
+/// (m/s) is none.
+std::uint32_t chooseMotion(const PathModel& model, double noise, std::optional<CornerEnd> ended,
+                           Path& path) {
   path = slidingOnBoth(path);
   const Cornered now = CornerMotion(model, path).start();
-  const double noise = slipNoise(path.state, path.radius);
   const bool mayRoll = model.friction > 0;
   const bool mayRollOnWall = mayRoll && length(Flat{now.wallSlip, now.across}) <= noise;
   const bool mayRollOnGround = mayRoll && length(Flat{now.groundSlip, now.across}) <= noise;
@@ -70,14 +76,35 @@ std::uint32_t chooseMotion(const PathModel& model, std::optional<CornerEnd> ende
   return kNoSurface;
 }
 
+/// Friction may take the ball from one surface just before its slip on the other ends, and then the
+/// ball is pressed back. Taking b from the slip, it gives the ball 2/5 b. Where rounding hides that
+/// hop, the slip ends at once and the ball stays: true, with the path that follows.
+bool staysInCorner(const PathModel& model, const CornerMotion& ending, CornerEnd from, Path& path) {
+  const bool fromWall = from == CornerEnd::LeavesWall;
+  const Cornered& now = ending.start();
+  const CornerForces on = ending.forcesOn(now, path.start);
+  const double slip = length(Flat{fromWall ? now.groundSlip : now.wallSlip, now.across});
+  const double friction = model.friction * (fromWall ? on.ground : on.wall);
+  const double size = length(model.arena->center) + model.arena->radius;
+  if (!(slip * slip <= kEndingSlip * size * friction)) return false;
+  Path staying = path;
+  if (chooseMotion(model, slip, {}, staying) != kCorner) return false;
+  const CornerMotion motion(model, staying);
+  const CornerForces then = motion.forcesOn(motion.start(), path.start);
+  const double rising = kInertiaFactor * now.across;
+  if (rising * rising > 2 * (fromWall ? then.wall : then.ground) * kHiddenHop * size) return false;
+  path = staying;
+  return true;
+}
+
 }  // namespace
 
 std::uint32_t holderInCorner(const PathModel& model, Path path) {
-  return chooseMotion(model, {}, path);
+  return chooseMotion(model, slipNoise(path.state, path.radius), {}, path);
 }
 
 void holdInCorner(const PathModel& model, Path& path) {
-  chooseMotion(model, {}, path);
+  chooseMotion(model, slipNoise(path.state, path.radius), {}, path);
 }
 
 Path pathAfterCorner(const PathModel& model, const Path& path, double end) {
@@ -86,16 +113,15 @@ Path pathAfterCorner(const PathModel& model, const Path& path, double end) {
   ending.state = next.state;
   ending.start = end;
   const CornerMotion motion(model, ending);
-  CornerEnd ended = motion.nextEnd(motion.start(), end).what;
+  const CornerEnd ended = motion.nextEnd(motion.start(), end).what;
   if (ended == CornerEnd::LeavesWall || ended == CornerEnd::LeavesGround) {
-    next.surface = ended == CornerEnd::LeavesWall ? kGround : kWall;
+    if (!staysInCorner(model, motion, ended, next))
+      next.surface = ended == CornerEnd::LeavesWall ? kGround : kWall;
     return next;
   }
-  Path chosen = next;
-  const std::uint32_t holder = chooseMotion(model, ended, chosen);
-  if (holder == kCorner) return chosen;
-  next.surface = holder;
-  return next;
+  Path staying = next;
+  next.surface = chooseMotion(model, slipNoise(next.state, next.radius), ended, staying);
+  return next.surface == kCorner ? staying : next;
 }
 
 }  // namespace wells
