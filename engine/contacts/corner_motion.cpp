@@ -14,7 +14,8 @@ constexpr double kHolding = 1 / kSlipRatio;                      // on one conta
 constexpr double kHoldingBoth = 1 / (1 + kSlipRatio);            // on each of two, 2/9
 constexpr double kSlipRatioOfOne = kSlipRatio - 1 / kSlipRatio;  // beside one that rolls, 45/14
 constexpr double kFreeShare = 1 - kHolding;                      // of A_x, beside one that rolls
-constexpr int kMostHalvings = 60;                                // of the search for a share
+constexpr double kFiner = 1.0 / 16;  // than on one surface: a slip here may begin very slowly
+constexpr int kMostHalvings = 60;    // of the search for a share
 
 double signOf(double x) {
   return x < 0 ? -1 : 1;
@@ -103,7 +104,7 @@ CornerMotion::Beginning CornerMotion::beginningOnGround(const Cornered& now,
 
 /// m/s; a slip this small that begins has the direction of its rate.
 double CornerMotion::smallSlip(double pressing) const {
-  return kFollowingShare * kSlipRatio * model_.friction * std::max(0.0, pressing) *
+  return kFiner * kFollowingShare * kSlipRatio * model_.friction * std::max(0.0, pressing) *
          model_.field->stretch;
 }
 
@@ -219,7 +220,7 @@ double CornerMotion::stepFor(Flat slip, Flat rate, double pressing) const {
   if (size <= noise_) return kBeginning * whole;
   const double friction = kSlipRatio * model_.friction * pressing;
   if (!(friction > 0)) return whole;
-  const double least = kShortestStep * whole;
+  const double least = kFiner * kShortestStep * whole;
   if (dot(rate, slip) < 0) return std::min(whole, std::max(least, kTurningShare * size / friction));
   return size <= smallSlip(pressing) ? whole : std::min(whole, std::max(least, size / friction));
 }
