@@ -88,7 +88,7 @@ bool staysInCorner(const PathModel& model, const CornerMotion& ending, CornerEnd
   const double size = length(model.arena->center) + model.arena->radius;
   if (!(slip * slip <= kEndingSlip * size * friction)) return false;
   Path staying = path;
-  if (chooseMotion(model, slip, {}, staying) != kCorner) return false;
+  if (chooseMotion(model, slip, std::nullopt, staying) != kCorner) return false;
   const CornerMotion motion(model, staying);
   const CornerForces then = motion.forcesOn(motion.start(), path.start);
   const double rising = kInertiaFactor * now.across;
@@ -113,14 +113,17 @@ Path pathAfterCorner(const PathModel& model, const Path& path, double end) {
   ending.state = next.state;
   ending.start = end;
   const CornerMotion motion(model, ending);
-  const CornerEnd ended = motion.nextEnd(motion.start(), end).what;
+  const CornerEnd ended = motion.nextEnd(motion.start(), end, CornerMotion::NoSlip::HasEnded).what;
   if (ended == CornerEnd::LeavesWall || ended == CornerEnd::LeavesGround) {
     if (!staysInCorner(model, motion, ended, next))
       next.surface = ended == CornerEnd::LeavesWall ? kGround : kWall;
     return next;
   }
   Path staying = next;
-  next.surface = chooseMotion(model, slipNoise(next.state, next.radius), ended, staying);
+  // Where a slip has taken all motion with it, rounding is that of what there was before.
+  const double noise =
+      std::max(slipNoise(path.state, path.radius), slipNoise(next.state, next.radius));
+  next.surface = chooseMotion(model, noise, ended, staying);
   return next.surface == kCorner ? staying : next;
 }
 

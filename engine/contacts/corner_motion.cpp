@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "contacts/held_motion.h"
 #include "contacts/zero_of.h"
@@ -241,7 +242,7 @@ double CornerMotion::longestStep(const Cornered& now, double t) const {
        stepFor({now.groundSlip, now.across}, {rate.groundSlip, rate.across}, on.ground)});
 }
 
-CornerMotion::End CornerMotion::nextEnd(const Cornered& now, double t) const {
+CornerMotion::End CornerMotion::nextEnd(const Cornered& now, double t, NoSlip noSlip) const {
   const CornerForces on = forcesOn(now, t);
   const double mu = model_.friction;
   const End leaves = nearer({CornerEnd::LeavesGround, on.ground}, {CornerEnd::LeavesWall, on.wall});
@@ -250,12 +251,20 @@ CornerMotion::End CornerMotion::nextEnd(const Cornered& now, double t) const {
   const double groundGrip = mu * on.ground - length(on.groundFriction);
   if (path_.rolling == kCorner)
     return nearer(leaves, {CornerEnd::SlipsOnBoth, std::min(wallGrip, groundGrip)});
-  const End onWall = rollsOn(kWall)
-                         ? End{CornerEnd::SlipsOnWall, wallGrip}
-                         : End{CornerEnd::GripsWall, dot({now.wallSlip, now.across}, firstOnWall_)};
-  const End onGround = rollsOn(kGround) ? End{CornerEnd::SlipsOnGround, groundGrip}
-                                        : End{CornerEnd::GripsGround,
-                                              dot({now.groundSlip, now.across}, firstOnGround_)};
+  // A slip that begins has none at first, and cannot end.
+  const bool isEarly =
+      noSlip == NoSlip::Begins && t < path_.start + kBeginning * model_.field->stretch;
+  const auto slides = [&](CornerEnd end, Flat atStart, Flat slip, Flat first) -> End {
+    const bool begins = isEarly && length(atStart) <= noise_;
+    return {end, begins ? std::numeric_limits<double>::infinity() : dot(slip, first)};
+  };
+  const End onWall = rollsOn(kWall) ? End{CornerEnd::SlipsOnWall, wallGrip}
+                                    : slides(CornerEnd::GripsWall, {start_.wallSlip, start_.across},
+                                             {now.wallSlip, now.across}, firstOnWall_);
+  const End onGround = rollsOn(kGround)
+                           ? End{CornerEnd::SlipsOnGround, groundGrip}
+                           : slides(CornerEnd::GripsGround, {start_.groundSlip, start_.across},
+                                    {now.groundSlip, now.across}, firstOnGround_);
   return nearer(leaves, nearer(onWall, onGround));
 }
 

@@ -77,7 +77,9 @@ class CornerMotion {
   double longestStep(const Cornered& now, double t) const;
 
   /// > 0 while the motion goes on; <= 0 where it has ended.
-  double continuation(const Cornered& now, double t) const { return nextEnd(now, t).margin; }
+  double continuation(const Cornered& now, double t) const {
+    return nextEnd(now, t, NoSlip::Begins).margin;
+  }
 
   /// True when nothing can end it.
   bool isEndless() const;
@@ -86,7 +88,9 @@ class CornerMotion {
     CornerEnd what;
     double margin;  // m/s^2, or m/s of a slip that ends
   };
-  End nextEnd(const Cornered& now, double t) const;
+  enum class NoSlip : std::uint8_t { Begins, HasEnded };
+  /// The nearest end. `noSlip`: what it means where the path starts so and slides.
+  End nextEnd(const Cornered& now, double t, NoSlip noSlip) const;
 
   CornerForces forcesOn(const Cornered& now, double t) const;
   BallState ballOf(const Cornered& now) const;

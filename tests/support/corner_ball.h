@@ -43,9 +43,8 @@ class CornerBall {
       const Forces on = forces(next, sticks_);
       for (const int c : {kGroundContact, kWallContact})
         if (!(sticks_[0] && sticks_[1]) && pressing(next, on, c) <= 0) {
-          now += goTo(ball, h, [&](const Body& b) {
-            return pressing(b, forces(b, sticks_), c) > 0;
-          });
+          now +=
+              goTo(ball, h, [&](const Body& b) { return pressing(b, forces(b, sticks_), c) > 0; });
           return {c == kGroundContact ? CornerFate::LeftGround : CornerFate::LeftWall, now};
         }
       if (!grip(next, sticks_)) {
@@ -53,7 +52,8 @@ class CornerBall {
         std::array<bool, 2> allowed = sticks_;
         if (allowed[0] && allowed[1]) {
           allowed = {false, true};
-          if (!grip(ball, allowed) || !begins(ball, allowed, kGroundContact)) allowed = {true, false};
+          if (!grip(ball, allowed) || !begins(ball, allowed, kGroundContact))
+            allowed = {true, false};
           if (!grip(ball, allowed)) throw std::runtime_error("slips on both at once");
         } else {
           allowed = {false, false};
@@ -81,7 +81,8 @@ class CornerBall {
   static constexpr int kGroundContact = 0, kWallContact = 1;
   static constexpr Real kStep = 5e-4L;     // s
   static constexpr Real kNoSlip = 1e-13L;  // m/s
-  static constexpr Real kFollows = 1e-6L;  // m/s, below which a slip that begins has its rate's direction
+  static constexpr Real kFollows =
+      1e-6L;  // m/s, below which a slip that begins has its rate's direction
 
   /// Of ground and wall, per mass.
   using Forces = std::array<P, 2>;
@@ -139,9 +140,9 @@ class CornerBall {
       left[3 * c] = inner(n, r.v) + inner(turning(b, c), b.v);
       for (int k = 0; k < 2; ++k) {
         const P t = tangents(b, c)[k];
-        left[3 * c + 1 + k] = sticks[c] ? inner(t, slipRate(b, r, c))
-                                        : inner(t, on[c]) + mu_ * inner(n, on[c]) *
-                                                                inner(t, direction[c]);
+        left[3 * c + 1 + k] =
+            sticks[c] ? inner(t, slipRate(b, r, c))
+                      : inner(t, on[c]) + mu_ * inner(n, on[c]) * inner(t, direction[c]);
       }
     }
     return left;
@@ -215,7 +216,9 @@ class CornerBall {
     return inner(rate, on[c]) < 0;
   }
 
-  static Real pressing(const Body& b, const Forces& on, int c) { return inner(on[c], normal(b, c)); }
+  static Real pressing(const Body& b, const Forces& on, int c) {
+    return inner(on[c], normal(b, c));
+  }
 
   Real spare(const Body& b, const Forces& on, int c) const {
     const P n = normal(b, c);
