@@ -45,8 +45,8 @@ bool isOver(std::uint32_t rolling, std::optional<CornerEnd> ended) {
          (ended == CornerEnd::SlipsOnBoth && rolling == kCorner);
 }
 
-/// Sets how the ball of `path` moves in the corner, and returns what holds it. A slip up to `noise`
-/// (m/s) is none.
+/// Sets how the ball of `path` moves in the corner, and returns what holds it: where that is not
+/// the corner, only the state counts. A slip up to `noise` (m/s) is none.
 std::uint32_t chooseMotion(const PathModel& model, double noise, std::optional<CornerEnd> ended,
                            Path& path) {
   path = slidingOnBoth(path);
@@ -66,11 +66,10 @@ std::uint32_t chooseMotion(const PathModel& model, double noise, std::optional<C
     const bool leavesGround = on.ground + share <= 0;
     const bool mayBegin = motion.canBegin() && !isOver(rolling, ended);
     if (!mayBegin && !(rolling == kCorner && (leavesWall || leavesGround))) continue;
+    path.motion = rolling == kCorner ? Motion::Rolling : Motion::Sliding;
+    path.state = CornerMotion(model, path).ballOf(withoutSlip(now, rolling));
     if (leavesWall) return leavesGround ? kNoSurface : kGround;
     if (leavesGround) return kWall;
-    path.motion = rolling == kCorner ? Motion::Rolling : Motion::Sliding;
-    const Cornered begun = withoutSlip(now, rolling);
-    path.state = CornerMotion(model, path).ballOf(begun);
     return kCorner;
   }
   return kNoSurface;
@@ -124,6 +123,7 @@ Path pathAfterCorner(const PathModel& model, const Path& path, double end) {
   const double noise =
       std::max(slipNoise(path.state, path.radius), slipNoise(next.state, next.radius));
   next.surface = chooseMotion(model, noise, ended, staying);
+  next.state = staying.state;
   return next.surface == kCorner ? staying : next;
 }
 
