@@ -146,8 +146,6 @@ Vec3 endOf(const Case& c) {
 }
 
 constexpr auto kHeld = oracle::CornerFate::Held;
-constexpr auto kLeavesWall = oracle::CornerFate::LeftWall;
-constexpr auto kLeavesGround = oracle::CornerFate::LeftGround;
 
 const Case kCases[] = {
     {"rolls_under_a_well", 0.3, 6, {-12, -12, 0}, {9, 6, 4}, 300, kHeld, 3},
@@ -172,8 +170,6 @@ TEST_P(CornerPathOf, IsFollowed) {
   const Case& c = GetParam();
   auto errors = stepErrors([&](double dt) { return worldOf(c, dt); }, c.duration, endOf(c));
   while (errors.size() > 2 && errors.back().second <= kReference) errors.pop_back();
-  for (const auto& [h, e] : errors) printf("%g:%.3g ", h, e);
-  printf("order %.2f\n", fittedOrder(errors));
   // The ever shorter steps in which a slip turns as it begins or ends are as coarse at any dt.
   if (c.slipTurns)
     EXPECT_LE(errors.front().second, 3e-8);

@@ -171,7 +171,9 @@ TEST(Prediction, HasTheBitsOfTheSimulationInEachMethod) {
         simulation->step(world);
         inSubsteps += simulation->counts().substepBalls;
       }
-      if (method == ContactMethod::Substep) EXPECT_GT(inSubsteps, 20) << "the contact lasts";
+      if (method == ContactMethod::Substep) {
+        EXPECT_GT(inSubsteps, 20) << "the contact lasts";
+      }
       const BallState predicted = predict(world, 0, start, 0, 300);
       EXPECT_EQ(predicted.position, world.balls.position[0]) << name(method) << " " << integrator;
       EXPECT_EQ(predicted.velocity, world.balls.velocity[0]) << name(method) << " " << integrator;
