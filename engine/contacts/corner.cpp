@@ -85,7 +85,7 @@ bool staysInCorner(const PathModel& model, const CornerMotion& ending, CornerEnd
   const double slip = length(Flat{fromWall ? now.groundSlip : now.wallSlip, now.across});
   const double friction = model.friction * (fromWall ? on.ground : on.wall);
   const double size = length(model.arena->center) + model.arena->radius;
-  if (!(slip * slip <= kEndingSlip * size * friction)) return false;
+  if (!(friction > 0 && slip * slip <= kEndingSlip * size * friction)) return false;
   Path staying = path;
   if (chooseMotion(model, slip, std::nullopt, staying) != kCorner) return false;
   const CornerMotion motion(model, staying);

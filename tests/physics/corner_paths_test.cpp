@@ -146,6 +146,8 @@ Vec3 endOf(const Case& c) {
 }
 
 constexpr auto kHeld = oracle::CornerFate::Held;
+constexpr auto kLeavesWall = oracle::CornerFate::LeftWall;
+constexpr auto kLeavesGround = oracle::CornerFate::LeftGround;
 
 const Case kCases[] = {
     {"rolls_under_a_well", 0.3, 6, {-12, -12, 0}, {9, 6, 4}, 300, kHeld, 3},
@@ -153,6 +155,10 @@ const Case kCases[] = {
     {"slides_on_the_ground", 0.3, 0, {20, 0, 0}, {12, 1, 0}, 300, kHeld, 2},
     {"slides_smoothly", 0, 3, {1, 2, 3}, {5, 0.5, -9}, 100, kHeld, 2},
     {"slips_from_rolling_on_both", 0.4, 5, {-10, -10, 0}, {5, 0.5, -9}, 100, kHeld, 2},
+    {"smoothly_leaves_the_wall", 0, 8, {0, 0, 0}, {3, 0.5, -7}, 300, kLeavesWall, 1},
+    {"smoothly_leaves_the_ground", 0, 6, {0, 0, 0}, {7, 4, -7}, 400, kLeavesGround, 1.2},
+    {"slides_and_leaves_the_wall", 0.3, 8, {-3, 0, 0}, {3, 0.5, -7}, 300, kLeavesWall, 1.1},
+    {"slides_and_leaves_the_ground", 0.3, 6, {-3, 0, 0}, {9, 4, -7}, 400, kLeavesGround, 0.6},
     {"slides_on_both_then_rolls", 0.5, 5, {0, 0, -5}, {}, 0, kHeld, 2, true},
     {"slides_on_both_with_drag", 0.5, 5, {3, -8, -5}, {}, 0, kHeld, 2, true, 0.2},
     {"slips_slowly_on_the_wall", 0.3, 5, {0, -10, 0}, {}, 0, kHeld, 3, true},
@@ -175,7 +181,7 @@ TEST_P(CornerPathOf, IsFollowed) {
     EXPECT_LE(errors.front().second, 3e-8);
   else
     EXPECT_GE(fittedOrder(errors), 3.8);
-  EXPECT_LE(errors.front().second, 1e-7);
+  EXPECT_LE(errors.front().second, 3e-7);
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, CornerPathOf, testing::ValuesIn(kCases),
