@@ -8,7 +8,7 @@ namespace wells {
 
 /// What holds a ball at path.start that touches ground and wall, and neither leaves nor approaches
 /// them: kCorner, or the one that it stays on where friction and forces take it from the other, or
-/// kNoSurface where it leaves both or begins to slip on both at once, which has no path of its own.
+/// kNoSurface where it leaves both or none of the motions fits.
 std::uint32_t holderInCorner(const PathModel& model, Path path);
 
 /// Makes such a path, where it is the corner that holds, one of a rolling or sliding ball.

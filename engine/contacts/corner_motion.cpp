@@ -16,6 +16,7 @@ constexpr double kHoldingBoth = 1 / (1 + kSlipRatio);            // on each of t
 constexpr double kSlipRatioOfOne = kSlipRatio - 1 / kSlipRatio;  // beside one that rolls, 45/14
 constexpr double kFreeShare = 1 - kHolding;                      // of A_x, beside one that rolls
 constexpr double kFiner = 1.0 / 16;  // than on one surface: a slip here may begin very slowly
+constexpr double kStill = 1e-9;      // of the load: a rate that rounding may have made
 constexpr int kMostHalvings = 60;    // of the search for a share
 
 double signOf(double x) {
@@ -52,11 +53,24 @@ CornerMotion::CornerMotion(const PathModel& model, const Path& path)
   const Load load = loadOn(start_, path.start);
   // Beside one that rolls a contact can only slip along x.
   const auto alongWall = [&]() -> Flat { return {signOf(load.pull), 0}; };
-  if (length(onWall) > noise_)
+  const bool beginsOnWall = length(onWall) <= noise_;
+  const bool beginsOnGround = length(onGround) <= noise_;
+  if (path.rolling == kNoSurface && beginsOnWall && beginsOnGround) {
+    const CornerForces held = rollingForces(start_, load);
+    Directions d{{0, -1}, {0, -1}};
+    if (length(held.wallFriction) > 0) d.wall = unit(-1 * held.wallFriction);
+    if (length(held.groundFriction) > 0) d.ground = unit(-1 * held.groundFriction);
+    const double grows = turnToRates(start_, load, Small::OnBoth, d);
+    beginsOnBoth_ = grows > -kStill * (std::abs(load.onWall) + std::abs(load.onGround));
+    firstOnWall_ = d.wall;
+    firstOnGround_ = d.ground;
+    return;
+  }
+  if (!beginsOnWall)
     firstOnWall_ = unit(onWall);
   else
     firstOnWall_ = rollsOn(kGround) ? alongWall() : beginningOnWall(start_, load).direction;
-  if (length(onGround) > noise_)
+  if (!beginsOnGround)
     firstOnGround_ = unit(onGround);
   else
     firstOnGround_ = rollsOn(kWall) ? alongWall() : beginningOnGround(start_, load).direction;
@@ -109,24 +123,91 @@ double CornerMotion::smallSlip(double pressing) const {
          model_.field->stretch;
 }
 
-// What slips the other way than it began has begun to roll before, and only the search for that
-// time asks.
-Flat CornerMotion::wallDirection(const Cornered& now, const Load& load) const {
-  const Flat slip{now.wallSlip, now.across};
-  if (length(slip) <= smallSlip(load.onWall)) {
-    const Beginning beginning = beginningOnWall(now, load);
-    if (beginning.slips && dot(beginning.direction, firstOnWall_) > 0) return beginning.direction;
+/// Turns the directions of small slips to those of their rates, where they grow; by Newton's method
+/// for the angles at which the rates don't turn them. Returns the rate (m/s^2) at which the slower
+/// one grows, or -infinity where there are no such directions.
+double CornerMotion::turnToRates(const Cornered& now, const Load& load, Small small,
+                                 Directions& d) const {
+  const double wall = small == Small::OnGround ? 0 : 1;
+  const double ground = small == Small::OnWall ? 0 : 1;
+  const auto rates = [&](const Directions& at) {
+    return rateUnder(now, load, slidingForces(load, at));
+  };
+  const auto turned = [&](double onWall, double onGround) -> Directions {
+    return {unit(d.wall + wall * onWall * Flat{-d.wall.y, d.wall.x}),
+            unit(d.ground + ground * onGround * Flat{-d.ground.y, d.ground.x})};
+  };
+  const auto turning = [&](const Directions& at) -> Flat {  // x: on the wall, y: on the ground
+    const Cornered r = rates(at);
+    return {at.wall.x * r.across - at.wall.y * r.wallSlip,
+            at.ground.x * r.across - at.ground.y * r.groundSlip};
+  };
+  constexpr double kNudge = 1e-7;
+  constexpr double kTurned = 1e-12;
+  constexpr double kMostTurn = 0.5;
+  for (int i = 0; i < 40; ++i) {
+    const Flat now0 = turning(d);
+    const Flat byWall = (1 / kNudge) * (turning(turned(kNudge, 0)) - now0);
+    const Flat byGround = (1 / kNudge) * (turning(turned(0, kNudge)) - now0);
+    double onWall = 0;
+    double onGround = 0;
+    if (small == Small::OnBoth) {
+      const double det = byWall.x * byGround.y - byWall.y * byGround.x;
+      onWall = (byGround.x * now0.y - byGround.y * now0.x) / det;
+      onGround = (byWall.y * now0.x - byWall.x * now0.y) / det;
+    } else if (small == Small::OnWall) {
+      onWall = -now0.x / byWall.x;
+    } else {
+      onGround = -now0.y / byGround.y;
+    }
+    const double most = std::max(std::abs(onWall), std::abs(onGround));
+    if (!std::isfinite(most)) break;
+    const double share = std::min(1.0, kMostTurn / most);
+    d = most > 0 ? turned(share * onWall, share * onGround) : d;
+    if (most > kTurned) continue;
+    const Cornered r = rates(d);
+    const double growsOnWall = d.wall.x * r.wallSlip + d.wall.y * r.across;
+    const double growsOnGround = d.ground.x * r.groundSlip + d.ground.y * r.across;
+    if (small == Small::OnBoth) return std::min(growsOnWall, growsOnGround);
+    return small == Small::OnWall ? growsOnWall : growsOnGround;
   }
-  return dot(slip, firstOnWall_) <= noise_ ? firstOnWall_ : unit(slip);
+  return -std::numeric_limits<double>::infinity();
 }
 
-Flat CornerMotion::groundDirection(const Cornered& now, const Load& load) const {
-  const Flat slip{now.groundSlip, now.across};
-  if (length(slip) <= smallSlip(load.onGround)) {
-    const Beginning beginning = beginningOnGround(now, load);
-    if (beginning.slips && dot(beginning.direction, firstOnGround_) > 0) return beginning.direction;
-  }
-  return dot(slip, firstOnGround_) <= noise_ ? firstOnGround_ : unit(slip);
+// What slips the other way than it began has begun to roll before, and only the search for that
+// time asks.
+CornerMotion::Directions CornerMotion::directionsOf(const Cornered& now, const Load& load) const {
+  const Flat onWall{now.wallSlip, now.across};
+  const Flat onGround{now.groundSlip, now.across};
+  const Directions d{dot(onWall, firstOnWall_) <= noise_ ? firstOnWall_ : unit(onWall),
+                     dot(onGround, firstOnGround_) <= noise_ ? firstOnGround_ : unit(onGround)};
+  const bool smallOnWall = length(onWall) <= smallSlip(load.onWall);
+  const bool smallOnGround = length(onGround) <= smallSlip(load.onGround);
+  if (!smallOnWall && !smallOnGround) return d;
+  const Small small = smallOnWall && smallOnGround ? Small::OnBoth
+                      : smallOnWall                ? Small::OnWall
+                                                   : Small::OnGround;
+  Directions turned = d;
+  if (!(turnToRates(now, load, small, turned) > 0)) return d;
+  const bool keepsOn = dot(turned.wall, firstOnWall_) > 0 && dot(turned.ground, firstOnGround_) > 0;
+  return keepsOn ? turned : d;
+}
+
+CornerForces CornerMotion::rollingForces(const Cornered& now, const Load& load) const {
+  const double whole = kInertiaFactor * load.turning * now.speed;
+  const double along = -kHoldingBoth * load.pull;
+  const double share = shareOfWall(load, whole);
+  return {
+      {along, share}, {along, whole - share}, load.onWall + whole - share, load.onGround - share};
+}
+
+// N_w = W - mu N_g e_o and N_g = Y + mu N_w d_y, d and e the directions of the slips.
+CornerForces CornerMotion::slidingForces(const Load& load, const Directions& d) const {
+  const double mu = model_.friction;
+  const double both = 1 + mu * mu * std::max(0.0, d.ground.y * d.wall.y);
+  const double wall = (load.onWall - mu * d.ground.y * load.onGround) / both;
+  const double ground = (load.onGround + mu * d.wall.y * load.onWall) / both;
+  return {-mu * std::max(0.0, wall) * d.wall, -mu * std::max(0.0, ground) * d.ground, wall, ground};
 }
 
 CornerForces CornerMotion::forcesOf(const Cornered& now, const Load& load) const {
@@ -134,11 +215,7 @@ CornerForces CornerMotion::forcesOf(const Cornered& now, const Load& load) const
   CornerForces on{{}, {}, load.onWall, load.onGround};
   if (mu == 0) return on;
   if (path_.rolling == kCorner) {
-    const double whole = kInertiaFactor * load.turning * now.speed;
-    on.wallFriction = {-kHoldingBoth * load.pull, shareOfWall(load, whole)};
-    on.groundFriction = {-kHoldingBoth * load.pull, whole - on.wallFriction.y};
-    on.wall += on.groundFriction.y;
-    on.ground -= on.wallFriction.y;
+    on = rollingForces(now, load);
   } else if (path_.rolling == kWall) {
     on.wallFriction.y = kInertiaFactor * load.turning * (now.speed - now.groundSlip);
     on.ground -= on.wallFriction.y;
@@ -150,14 +227,7 @@ CornerForces CornerMotion::forcesOf(const Cornered& now, const Load& load) const
     on.wallFriction.x = -mu * std::max(0.0, on.wall) * firstOnWall_.x;
     on.groundFriction.x = -kHolding * (load.pull + on.wallFriction.x);
   } else {
-    // N_w = W - mu N_g e_o and N_g = Y + mu N_w d_y, d and e the directions of the slips.
-    const Flat d = wallDirection(now, load);
-    const Flat e = groundDirection(now, load);
-    const double both = 1 + mu * mu * std::max(0.0, e.y * d.y);
-    on.wall = (load.onWall - mu * e.y * load.onGround) / both;
-    on.ground = (load.onGround + mu * d.y * load.onWall) / both;
-    on.wallFriction = -mu * std::max(0.0, on.wall) * d;
-    on.groundFriction = -mu * std::max(0.0, on.ground) * e;
+    on = slidingForces(load, directionsOf(now, load));
   }
   return on;
 }
@@ -192,7 +262,11 @@ Cornered CornerMotion::rateOf(const Cornered& now, double t) const {
   const Load load = loadOn(now, t);
   if (model_.friction == 0) return {now.speed, load.pull};
   if (path_.rolling == kCorner) return {now.speed, (1 - 2 * kHoldingBoth) * load.pull};
-  const CornerForces on = forcesOf(now, load);
+  return rateUnder(now, load, forcesOf(now, load));
+}
+
+Cornered CornerMotion::rateUnder(const Cornered& now, const Load& load,
+                                 const CornerForces& on) const {
   const double f = on.wallFriction.x;
   const double g = on.groundFriction.x;
   Cornered rate{now.speed, load.pull + f + g};
@@ -286,7 +360,7 @@ bool CornerMotion::canBegin() const {
     return grips(on.wallFriction, on.wall) && slipsAlong(start_.groundSlip, on.ground);
   if (path_.rolling == kGround)
     return grips(on.groundFriction, on.ground) && slipsAlong(start_.wallSlip, on.wall);
-  return std::abs(start_.across) > noise_ || std::abs(start_.wallSlip) > noise_ ||
+  return beginsOnBoth_ || std::abs(start_.across) > noise_ || std::abs(start_.wallSlip) > noise_ ||
          std::abs(start_.groundSlip) > noise_;
 }
 

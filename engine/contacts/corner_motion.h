@@ -124,8 +124,15 @@ class CornerMotion {
   Cornered rateOf(const Cornered& now, double t) const;
   Beginning beginningOnWall(const Cornered& now, const Load& load) const;
   Beginning beginningOnGround(const Cornered& now, const Load& load) const;
-  Flat wallDirection(const Cornered& now, const Load& load) const;
-  Flat groundDirection(const Cornered& now, const Load& load) const;
+  struct Directions {
+    Flat wall, ground;  // unit, of the slips
+  };
+  enum class Small : std::uint8_t { OnWall, OnGround, OnBoth };
+  Directions directionsOf(const Cornered& now, const Load& load) const;
+  double turnToRates(const Cornered& now, const Load& load, Small small, Directions& d) const;
+  CornerForces rollingForces(const Cornered& now, const Load& load) const;
+  CornerForces slidingForces(const Load& load, const Directions& d) const;
+  Cornered rateUnder(const Cornered& now, const Load& load, const CornerForces& on) const;
   double shareOfWall(const Load& load, double whole) const;
   double stepFor(Flat slip, Flat rate, double pressing) const;
   double smallSlip(double pressing) const;
@@ -138,6 +145,7 @@ class CornerMotion {
   double noise_ = 0;  // m/s, a slip this small is over
   Flat firstOnWall_;  // directions of the slips where they began
   Flat firstOnGround_;
+  bool beginsOnBoth_ = false;
 };
 
 }  // namespace wells
