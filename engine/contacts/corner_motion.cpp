@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "contacts/held_motion.h"
-#include "contacts/zero_of.h"
 
 namespace wells {
 namespace {
@@ -15,17 +14,8 @@ constexpr double kHolding = 1 / kSlipRatio;                      // on one conta
 constexpr double kHoldingBoth = 1 / (1 + kSlipRatio);            // on each of two, 2/9
 constexpr double kSlipRatioOfOne = kSlipRatio - 1 / kSlipRatio;  // beside one that rolls, 45/14
 constexpr double kFreeShare = 1 - kHolding;                      // of A_x, beside one that rolls
-constexpr double kFiner = 1.0 / 16;  // than on one surface: a slip here may begin very slowly
-constexpr double kStill = 1e-9;      // of the load: a rate that rounding may have made
-constexpr int kMostHalvings = 60;    // of the search for a share
-
-double signOf(double x) {
-  return x < 0 ? -1 : 1;
-}
-
-Flat unit(Flat a) {
-  return (1 / length(a)) * a;
-}
+constexpr double kStill = 1e-9;    // of the load: a rate that rounding may have made
+constexpr int kMostHalvings = 60;  // of the search for a share
 
 /// The end that is nearer.
 CornerMotion::End nearer(const CornerMotion::End& a, const CornerMotion::End& b) {
@@ -52,7 +42,7 @@ CornerMotion::CornerMotion(const PathModel& model, const Path& path)
   const Flat onGround{start_.groundSlip, start_.across};
   const Load load = loadOn(start_, path.start);
   // Beside one that rolls a contact can only slip along x.
-  const auto alongWall = [&]() -> Flat { return {signOf(load.pull), 0}; };
+  const auto alongWall = [&]() -> Flat { return {std::copysign(1.0, load.pull), 0}; };
   const bool beginsOnWall = length(onWall) <= noise_;
   const bool beginsOnGround = length(onGround) <= noise_;
   if (path.rolling == kNoSurface && beginsOnWall && beginsOnGround) {
@@ -82,115 +72,6 @@ CornerMotion::Load CornerMotion::loadOn(const Cornered& now, double t) const {
   const double turning = surface_.curvature() * now.speed;
   return {dot(a, spot.frame.x) - drag_ * now.speed, turning * now.speed - dot(a, spot.frame.normal),
           -dot(a, spot.frame.y), turning};
-}
-
-/// The direction d in which a slip begins whose rate is P - M d, with M = m [[7/2, c], [0, 5/2]]:
-/// that of its own rate, (M + lambda) d = P with lambda > 0 and |d| = 1. There is none where the
-/// friction that holds the contact suffices, |d| <= 1 for lambda = 0.
-CornerMotion::Beginning CornerMotion::beginningOf(Flat pull, double m, double c) {
-  const auto at = [&](double lambda) -> Flat {
-    const double y = pull.y / (kAcross * m + lambda);
-    return {(pull.x - m * c * y) / (kSlipRatio * m + lambda), y};
-  };
-  if (!(length(pull) > 0)) return {};
-  if (!(m > 0)) return {true, unit(pull)};
-  const auto excess = [&](double lambda) { return length(at(lambda)) - 1; };
-  const double atNone = excess(0);
-  if (!(atNone > 0)) return {false, unit(at(0))};
-  const double most = std::abs(pull.x) + std::abs(pull.y) + m * std::abs(c);
-  return {true, unit(at(zeroOf(excess, 0, atNone, most, excess(most))))};
-}
-
-// Beside a ground on which the ball slides along x: N_w = W, N_g = Y + mu W d_y.
-CornerMotion::Beginning CornerMotion::beginningOnWall(const Cornered& now, const Load& load) const {
-  const double along = model_.friction * signOf(now.groundSlip);
-  return beginningOf(
-      {load.pull - along * load.onGround, load.turning * (now.groundSlip - now.speed)},
-      model_.friction * std::max(0.0, load.onWall), along);
-}
-
-// Beside a wall on which the ball slides along x: N_g = Y, N_w = W - mu Y d_o.
-CornerMotion::Beginning CornerMotion::beginningOnGround(const Cornered& now,
-                                                        const Load& load) const {
-  const double along = model_.friction * signOf(now.wallSlip);
-  return beginningOf({load.pull - along * load.onWall, -load.turning * now.speed},
-                     model_.friction * std::max(0.0, load.onGround), -along);
-}
-
-/// m/s; a slip this small that begins has the direction of its rate.
-double CornerMotion::smallSlip(double pressing) const {
-  return kFiner * kFollowingShare * kSlipRatio * model_.friction * std::max(0.0, pressing) *
-         model_.field->stretch;
-}
-
-/// Turns the directions of small slips to those of their rates, where they grow; by Newton's method
-/// for the angles at which the rates don't turn them. Returns the rate (m/s^2) at which the slower
-/// one grows, or -infinity where there are no such directions.
-double CornerMotion::turnToRates(const Cornered& now, const Load& load, Small small,
-                                 Directions& d) const {
-  const double wall = small == Small::OnGround ? 0 : 1;
-  const double ground = small == Small::OnWall ? 0 : 1;
-  const auto rates = [&](const Directions& at) {
-    return rateUnder(now, load, slidingForces(load, at));
-  };
-  const auto turned = [&](double onWall, double onGround) -> Directions {
-    return {unit(d.wall + wall * onWall * Flat{-d.wall.y, d.wall.x}),
-            unit(d.ground + ground * onGround * Flat{-d.ground.y, d.ground.x})};
-  };
-  const auto turning = [&](const Directions& at) -> Flat {  // x: on the wall, y: on the ground
-    const Cornered r = rates(at);
-    return {at.wall.x * r.across - at.wall.y * r.wallSlip,
-            at.ground.x * r.across - at.ground.y * r.groundSlip};
-  };
-  constexpr double kNudge = 1e-7;
-  constexpr double kTurned = 1e-12;
-  constexpr double kMostTurn = 0.5;
-  for (int i = 0; i < 40; ++i) {
-    const Flat now0 = turning(d);
-    const Flat byWall = (1 / kNudge) * (turning(turned(kNudge, 0)) - now0);
-    const Flat byGround = (1 / kNudge) * (turning(turned(0, kNudge)) - now0);
-    double onWall = 0;
-    double onGround = 0;
-    if (small == Small::OnBoth) {
-      const double det = byWall.x * byGround.y - byWall.y * byGround.x;
-      onWall = (byGround.x * now0.y - byGround.y * now0.x) / det;
-      onGround = (byWall.y * now0.x - byWall.x * now0.y) / det;
-    } else if (small == Small::OnWall) {
-      onWall = -now0.x / byWall.x;
-    } else {
-      onGround = -now0.y / byGround.y;
-    }
-    const double most = std::max(std::abs(onWall), std::abs(onGround));
-    if (!std::isfinite(most)) break;
-    const double share = std::min(1.0, kMostTurn / most);
-    d = most > 0 ? turned(share * onWall, share * onGround) : d;
-    if (most > kTurned) continue;
-    const Cornered r = rates(d);
-    const double growsOnWall = d.wall.x * r.wallSlip + d.wall.y * r.across;
-    const double growsOnGround = d.ground.x * r.groundSlip + d.ground.y * r.across;
-    if (small == Small::OnBoth) return std::min(growsOnWall, growsOnGround);
-    return small == Small::OnWall ? growsOnWall : growsOnGround;
-  }
-  return -std::numeric_limits<double>::infinity();
-}
-
-// What slips the other way than it began has begun to roll before, and only the search for that
-// time asks.
-CornerMotion::Directions CornerMotion::directionsOf(const Cornered& now, const Load& load) const {
-  const Flat onWall{now.wallSlip, now.across};
-  const Flat onGround{now.groundSlip, now.across};
-  const Directions d{dot(onWall, firstOnWall_) <= noise_ ? firstOnWall_ : unit(onWall),
-                     dot(onGround, firstOnGround_) <= noise_ ? firstOnGround_ : unit(onGround)};
-  const bool smallOnWall = length(onWall) <= smallSlip(load.onWall);
-  const bool smallOnGround = length(onGround) <= smallSlip(load.onGround);
-  if (!smallOnWall && !smallOnGround) return d;
-  const Small small = smallOnWall && smallOnGround ? Small::OnBoth
-                      : smallOnWall                ? Small::OnWall
-                                                   : Small::OnGround;
-  Directions turned = d;
-  if (!(turnToRates(now, load, small, turned) > 0)) return d;
-  const bool keepsOn = dot(turned.wall, firstOnWall_) > 0 && dot(turned.ground, firstOnGround_) > 0;
-  return keepsOn ? turned : d;
 }
 
 CornerForces CornerMotion::rollingForces(const Cornered& now, const Load& load) const {
@@ -285,19 +166,6 @@ Cornered CornerMotion::step(const Cornered& y, double t, double h) const {
   const Cornered c = rateOf(y + (h / 2) * b, t + h / 2);
   const Cornered d = rateOf(y + h * c, t + h);
   return y + (h / 6) * (a + 2 * (b + c) + d);
-}
-
-/// The longest step through a slip that turns: ever shorter while it ends; while it begins, which
-/// is stiff, within what the method keeps stable.
-double CornerMotion::stepFor(Flat slip, Flat rate, double pressing) const {
-  const double whole = model_.field->stretch;
-  const double size = length(slip);
-  if (size <= noise_) return kBeginning * whole;
-  const double friction = kSlipRatio * model_.friction * pressing;
-  if (!(friction > 0)) return whole;
-  const double least = kFiner * kShortestStep * whole;
-  if (dot(rate, slip) < 0) return std::min(whole, std::max(least, kTurningShare * size / friction));
-  return size <= smallSlip(pressing) ? whole : std::min(whole, std::max(least, size / friction));
 }
 
 double CornerMotion::longestStep(const Cornered& now, double t) const {
