@@ -59,11 +59,11 @@ CornerMotion::CornerMotion(const PathModel& model, const Path& path)
   if (!beginsOnWall)
     firstOnWall_ = unit(onWall);
   else
-    firstOnWall_ = rollsOn(kGround) ? alongWall() : beginningOnWall(start_, load).direction;
+    firstOnWall_ = rollsOn(kGround) ? alongWall() : beginningOnWall(load);
   if (!beginsOnGround)
     firstOnGround_ = unit(onGround);
   else
-    firstOnGround_ = rollsOn(kWall) ? alongWall() : beginningOnGround(start_, load).direction;
+    firstOnGround_ = rollsOn(kWall) ? alongWall() : beginningOnGround(load);
 }
 
 CornerMotion::Load CornerMotion::loadOn(const Cornered& now, double t) const {

@@ -109,12 +109,10 @@ class CornerMotion {
     double onGround = 0;  // N_g without friction
     double turning = 0;   // k v, rad/s
   };
-  /// Of a contact that does not slip yet.
-  struct Beginning {
-    bool slips = false;  // friction does not suffice
-    Flat direction;      // unit, of the slip that begins
+  struct Directions {
+    Flat wall, ground;  // unit, of the slips
   };
-  static Beginning beginningOf(Flat pull, double size, double turn);
+  enum class Small : std::uint8_t { OnWall, OnGround, OnBoth };
 
   bool rollsOn(std::uint32_t surface) const {
     return path_.rolling == surface || path_.rolling == kCorner;
@@ -122,18 +120,15 @@ class CornerMotion {
   Load loadOn(const Cornered& now, double t) const;
   CornerForces forcesOf(const Cornered& now, const Load& load) const;
   Cornered rateOf(const Cornered& now, double t) const;
-  Beginning beginningOnWall(const Cornered& now, const Load& load) const;
-  Beginning beginningOnGround(const Cornered& now, const Load& load) const;
-  struct Directions {
-    Flat wall, ground;  // unit, of the slips
-  };
-  enum class Small : std::uint8_t { OnWall, OnGround, OnBoth };
-  Directions directionsOf(const Cornered& now, const Load& load) const;
-  double turnToRates(const Cornered& now, const Load& load, Small small, Directions& d) const;
+  Cornered rateUnder(const Cornered& now, const Load& load, const CornerForces& on) const;
   CornerForces rollingForces(const Cornered& now, const Load& load) const;
   CornerForces slidingForces(const Load& load, const Directions& d) const;
-  Cornered rateUnder(const Cornered& now, const Load& load, const CornerForces& on) const;
   double shareOfWall(const Load& load, double whole) const;
+  // In corner_slips.cpp:
+  Flat beginningOnWall(const Load& load) const;
+  Flat beginningOnGround(const Load& load) const;
+  Directions directionsOf(const Cornered& now, const Load& load) const;
+  double turnToRates(const Cornered& now, const Load& load, Small small, Directions& d) const;
   double stepFor(Flat slip, Flat rate, double pressing) const;
   double smallSlip(double pressing) const;
 
@@ -145,7 +140,7 @@ class CornerMotion {
   double noise_ = 0;  // m/s, a slip this small is over
   Flat firstOnWall_;  // directions of the slips where they began
   Flat firstOnGround_;
-  bool beginsOnBoth_ = false;
+  bool beginsOnBoth_ = false;  // friction suffices for neither
 };
 
 }  // namespace wells

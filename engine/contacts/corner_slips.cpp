@@ -20,38 +20,37 @@ constexpr double kTurned = 1e-12;  // is the same
 constexpr double kMostTurn = 0.5;  // at once
 constexpr int kMostTurns = 40;
 
-}  // namespace
-
 /// The direction d in which a slip begins whose rate is P - M d, with M = m [[7/2, c], [0, 5/2]]:
-/// that of its own rate, (M + lambda) d = P with lambda > 0 and |d| = 1. There is none where the
-/// friction that holds the contact suffices, |d| <= 1 for lambda = 0.
-CornerMotion::Beginning CornerMotion::beginningOf(Flat pull, double m, double c) {
+/// that of its own rate, (M + lambda) d = P with lambda > 0 and |d| = 1. Where the friction -M d
+/// suffices that holds the contact, |d| <= 1 for lambda = 0, the opposite of that.
+Flat beginningOf(Flat pull, double m, double c) {
   const auto at = [&](double lambda) -> Flat {
     const double y = pull.y / (kAcross * m + lambda);
     return {(pull.x - m * c * y) / (kSlipRatio * m + lambda), y};
   };
   if (!(length(pull) > 0)) return {};
-  if (!(m > 0)) return {true, unit(pull)};
+  if (!(m > 0)) return unit(pull);
   const auto excess = [&](double lambda) { return length(at(lambda)) - 1; };
   const double atNone = excess(0);
-  if (!(atNone > 0)) return {false, unit(at(0))};
+  if (!(atNone > 0)) return unit(at(0));
   const double most = std::abs(pull.x) + std::abs(pull.y) + m * std::abs(c);
-  return {true, unit(at(zeroOf(excess, 0, atNone, most, excess(most))))};
+  return unit(at(zeroOf(excess, 0, atNone, most, excess(most))));
 }
 
+}  // namespace
+
 // Beside a ground on which the ball slides along x: N_w = W, N_g = Y + mu W d_y.
-CornerMotion::Beginning CornerMotion::beginningOnWall(const Cornered& now, const Load& load) const {
-  const double along = std::copysign(model_.friction, now.groundSlip);
+Flat CornerMotion::beginningOnWall(const Load& load) const {
+  const double along = std::copysign(model_.friction, start_.groundSlip);
   return beginningOf(
-      {load.pull - along * load.onGround, load.turning * (now.groundSlip - now.speed)},
+      {load.pull - along * load.onGround, load.turning * (start_.groundSlip - start_.speed)},
       model_.friction * std::max(0.0, load.onWall), along);
 }
 
 // Beside a wall on which the ball slides along x: N_g = Y, N_w = W - mu Y d_o.
-CornerMotion::Beginning CornerMotion::beginningOnGround(const Cornered& now,
-                                                        const Load& load) const {
-  const double along = std::copysign(model_.friction, now.wallSlip);
-  return beginningOf({load.pull - along * load.onWall, -load.turning * now.speed},
+Flat CornerMotion::beginningOnGround(const Load& load) const {
+  const double along = std::copysign(model_.friction, start_.wallSlip);
+  return beginningOf({load.pull - along * load.onWall, -load.turning * start_.speed},
                      model_.friction * std::max(0.0, load.onGround), -along);
 }
 

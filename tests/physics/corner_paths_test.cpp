@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "math/random.h"
 #include "scenes/unit_balls.h"
 #include "support/corner_ball.h"
 #include "support/held_ball.h"
@@ -106,6 +107,25 @@ TEST(CornerPath, BouncesOnTheGroundEndThere) {
   world.balls.position[0].y() = 1.5;
   EXPECT_EQ(runFor(world, 4).substepBalls, 0);
   EXPECT_LE(length(world.balls.position[0] - placeAfter(20)), 1e-12);
+}
+
+// Whatever it starts with: slides, rolls, hops off one surface and comes back to it, all at its own
+// times; friction never adds energy.
+TEST(CornerPath, AnyStartIsFollowedAndNeverGainsEnergy) {
+  Random random(1);
+  for (int trial = 0; trial < 100; ++trial) {
+    World world = cornerWorld(random.uniform(0.05, 0.9), random.uniform(-8, 8),
+                              random.uniform(0, 25) * random.direction());
+    const auto simulation = makeSimulation();
+    double energy = measure(world).energy();
+    for (int step = 0; step < 200; ++step) {
+      simulation->step(world);
+      ASSERT_EQ(simulation->counts().substepBalls, 0) << trial << " " << step;
+      const double now = measure(world).energy();
+      ASSERT_LE(now, energy * (1 + 1e-9)) << trial << " " << step;
+      energy = now;
+    }
+  }
 }
 
 struct Case {
