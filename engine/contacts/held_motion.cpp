@@ -9,9 +9,6 @@ namespace {
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kSpinning = kSlipRatio - 1;  // c' over f
 constexpr double kSlipNoise = 1e-10;
-constexpr double kTurningShare = 1.0 / 8;      // of the time in which friction ends a slip
-constexpr double kFollowingShare = 1.0 / 256;  // of the slip that friction ends in a stretch
-constexpr double kShortestStep = 1.0 / 256;    // of a stretch: bounds the work
 
 Surface surfaceOf(const PathModel& model, const Path& path) {
   return {*model.arena, path.surface, path.state.position, path.radius};
@@ -60,11 +57,11 @@ HeldMotion::HeldMotion(const PathModel& model, const Path& path)
 }
 
 double HeldMotion::noise() const {
-  double speed = length(path_.state.velocity) + path_.radius * length(path_.state.spin);
+  double noise = slipNoise(path_.state, path_.radius);
   if (resistance_ > 0)
-    speed += (model_.friction + resistance_) * std::max(0.0, loadOn(start_, path_.start).pressing) *
-             model_.field->stretch;
-  return kSlipNoise * speed;
+    noise += kSlipNoise * (model_.friction + resistance_) *
+             std::max(0.0, loadOn(start_, path_.start).pressing) * model_.field->stretch;
+  return noise;
 }
 
 void HeldMotion::beginSlip() {
@@ -142,11 +139,11 @@ double HeldMotion::longestStep(Flat moving, const Drive& drive, double noise, do
   if (speed <= noise) return whole;
   // What ends turns ever faster towards the pull: ever shorter steps, as it gets smaller.
   if (dot(drive.pull, moving) < drive.limit * speed)
-    return std::min(whole, std::max(kShortestStep * whole, kTurningShare * speed / drive.limit));
+    return std::min(whole, std::max(kShortestPart * whole, kTurningShare * speed / drive.limit));
   // What begins is held to the pull's direction, stiffly: within what RK4 keeps stable.
   return speed <= smallest(drive.limit)
              ? whole
-             : std::min(whole, std::max(kShortestStep * whole, speed / drive.limit));
+             : std::min(whole, std::max(kShortestPart * whole, speed / drive.limit));
 }
 
 double HeldMotion::continuation(const Held& now, double t) const {
@@ -290,6 +287,10 @@ Vec3 normalOf(const PathModel& model, const Path& path) {
 
 Vec3 slipOf(const PathModel& model, const Path& path) {
   return path.state.velocity - path.radius * cross(path.state.spin, normalOf(model, path));
+}
+
+double slipNoise(const BallState& ball, double radius) {
+  return kSlipNoise * (length(ball.velocity) + radius * length(ball.spin));
 }
 
 }  // namespace wells

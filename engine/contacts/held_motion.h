@@ -132,8 +132,17 @@ Vec3 normalOf(const PathModel& model, const Path& path);
 /// v - r w x n of a ball that its surface holds, m/s.
 Vec3 slipOf(const PathModel& model, const Path& path);
 
+/// m/s: a slip this small, of the speeds that it is made of, is over.
+double slipNoise(const BallState& ball, double radius);
+
 /// A motion that turns further than this (rad) round the wall within a step goes in several pieces.
 inline constexpr double kLongestArc = 1.0 / 8;
+
+// Of the steps through a slip that turns:
+inline constexpr double kTurningShare = 1.0 / 8;      // of the time in which friction ends it
+inline constexpr double kFollowingShare = 1.0 / 256;  // of the slip that friction ends in a stretch
+inline constexpr double kShortestPart = 1.0 / 256;    // of a stretch: bounds the work
+inline constexpr double kBeginning = 1.0 / 64;  // of a stretch, after which it must have begun
 
 inline constexpr double kSlipRatio = 1 + 1 / kInertiaFactor;  // u' over v' of friction, 7/2
 inline constexpr double kHolding = 1 / kSlipRatio;            // friction that rolling takes over P

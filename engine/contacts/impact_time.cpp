@@ -58,20 +58,23 @@ Encounter follow(GapAt gapAt, double closed, double stretch, double from, double
 }
 
 /// A ball that touches a surface, stands still towards it and is not pressed to it is about to
-/// leave by its acceleration. It is followed from where it has left: after this share of the time.
+/// leave by its acceleration. It is followed from where it has left: after this share of the time,
+/// or, as it may be back by then, after a share of that, and so on.
 constexpr double kLeaving = 1.0 / 64;
+constexpr double kSooner = 1.0 / 8;
+constexpr int kMostSooner = 7;
 
 template <class GapAt>
 Encounter followFromContact(GapAt gapAt, double closed, double stretch, double from, double until) {
   const GapNow first = gapAt(from, until);
-  if (first.gap <= closed && first.closing == 0 && first.growth > 0) {
-    from += kLeaving * (until - from);
-    if (gapAt(from, until).gap <= closed) {
-      if (gapAt(until, until).gap >= -closed) return {};  // hardly away when the step ends
-      return {Meeting::Sustained, from};
-    }
-  }
-  return follow(gapAt, closed, stretch, from, until);
+  if (!(first.gap <= closed && first.closing == 0 && first.growth > 0))
+    return follow(gapAt, closed, stretch, from, until);
+  double ahead = kLeaving * (until - from);
+  for (int i = 0; i <= kMostSooner; ++i, ahead *= kSooner)
+    if (gapAt(from + ahead, until).gap > closed)
+      return follow(gapAt, closed, stretch, from + ahead, until);
+  if (gapAt(until, until).gap >= -closed) return {};  // hardly away when the step ends
+  return {Meeting::Sustained, from};
 }
 
 double horizontal(const Vec3& v) {
@@ -133,7 +136,8 @@ Encounter encounterOfBalls(const PathModel& model, const Path& a, const Path& b,
 
 Encounter encounterWithArena(const PathModel& model, const Path& ball, std::uint32_t partner,
                              double from, double until) {
-  if (ball.motion != Motion::Flying && ball.surface == partner) return {};
+  if (ball.motion != Motion::Flying && (ball.surface == partner || ball.surface == kCorner))
+    return {};
   return partner == kGround ? encounterWithGround(model, ball, from, until)
                             : encounterWithWall(model, ball, from, until);
 }

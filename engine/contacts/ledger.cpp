@@ -1,5 +1,6 @@
 #include "contacts/ledger.h"
 
+#include "contacts/corner_motion.h"
 #include "contacts/held_motion.h"
 
 namespace wells {
@@ -12,14 +13,34 @@ struct Rates {
   double friction = 0;
   Vec3 pull = Vec3::Zero();    // of the fields and of drag
   Vec3 torque = Vec3::Zero();  // of the pull, about the centre
+  ImpulseBook ground;          // of its force, in the corner
 };
 
 Rates operator+(const Rates& a, const Rates& b) {
-  return {a.drag + b.drag, a.wells + b.wells, a.friction + b.friction, a.pull + b.pull,
-          a.torque + b.torque};
+  return {a.drag + b.drag,
+          a.wells + b.wells,
+          a.friction + b.friction,
+          a.pull + b.pull,
+          a.torque + b.torque,
+          {a.ground.linear + b.ground.linear, a.ground.angular + b.ground.angular}};
 }
 Rates operator*(double s, const Rates& a) {
-  return {s * a.drag, s * a.wells, s * a.friction, s * a.pull, s * a.torque};
+  return {s * a.drag, s * a.wells,  s * a.friction,
+          s * a.pull, s * a.torque, {s * a.ground.linear, s * a.ground.angular}};
+}
+
+/// The work of friction on both, and the force of the ground.
+void addCorner(const Ledger& ledger, const PathModel& model, const Path& there, Rates& rates) {
+  const CornerMotion motion(model, there);
+  const Cornered& now = motion.start();
+  const CornerForces on = motion.forcesOn(now, there.start);
+  rates.friction = dot(on.wallFriction, {now.wallSlip, now.across}) +
+                   dot(on.groundFriction, {now.groundSlip, now.across});
+  const Vec3& place = there.state.position;
+  const Frame frame = Surface(*model.arena, kWall, place, there.radius).at({}).frame;
+  rates.ground.linear =
+      on.groundFriction.x * frame.x + on.ground * frame.y - on.groundFriction.y * frame.normal;
+  rates.ground.angular = cross(place - there.radius * frame.y - ledger.center, rates.ground.linear);
 }
 
 Rates ratesOf(const Ledger& ledger, const PathModel& model, const Path& path, const BallState& now,
@@ -30,11 +51,16 @@ Rates ratesOf(const Ledger& ledger, const PathModel& model, const Path& path, co
   rates.wells = potentialRate(*model.field, now.position, t);
   rates.pull = acceleration(*model.field, now.position, t) - k * now.velocity;
   rates.torque = cross(now.position - ledger.center, rates.pull);
+  if (path.motion == Motion::Flying) return rates;
+  const Path there{now, t, path.radius, path.motion, path.surface, path.rolling};
+  if (path.surface == kCorner) {
+    addCorner(ledger, model, there, rates);
+    return rates;
+  }
   const bool isSlipping = path.motion == Motion::Sliding || path.motion == Motion::Skidding;
   const bool isResisted = model.rollingResistance > 0 &&
                           (path.motion == Motion::Sliding || path.motion == Motion::Rolling);
   if (!isSlipping && !isResisted) return rates;
-  const Path there{now, t, path.radius, path.motion, path.surface};
   const double pressing = loadOn(model, there, t).pressing;
   if (isSlipping) rates.friction = -model.friction * pressing * length(slipOf(model, there));
   if (isResisted)
@@ -58,6 +84,7 @@ Vec3 angularOf(const Ledger& ledger, const BallState& now, double radius) {
          kInertiaFactor * radius * radius * now.spin;
 }
 
+/// In the corner, what the ground did not give is the wall's.
 ImpulseBook& bookOf(Books& books, std::uint32_t surface) {
   return surface == kGround ? books.ground : books.wall;
 }
@@ -92,8 +119,10 @@ void bookStretch(const Ledger& ledger, const PathModel& model, const Path& path,
   books.fields.linear += mass * sum.pull;
   books.fields.angular += mass * sum.torque;
   ImpulseBook& book = bookOf(books, path.surface);
-  book.linear += push - mass * sum.pull;
-  book.angular += turn - mass * sum.torque;
+  book.linear += push - mass * (sum.pull + sum.ground.linear);
+  book.angular += turn - mass * (sum.torque + sum.ground.angular);
+  books.ground.linear += mass * sum.ground.linear;
+  books.ground.angular += mass * sum.ground.angular;
 }
 
 }  // namespace

@@ -72,6 +72,17 @@ double boundOnWall(const PathModel& model, const Path& path, const BallState& ba
   return pull + turning + (holding + frictionBound(model, path) * (pull + turning));
 }
 
+/// In the corner: the pull, the turning, and friction on both. Each presses with what it would
+/// without friction and at most the friction of the other.
+double boundInCorner(const PathModel& model, const Path& path, const BallState& ball,
+                     double byFields, double duration) {
+  const double pull = byFields + length(model.field->gravity);
+  const double speed = fastest(path, ball, pull, duration);
+  const double turning = speed * speed / (model.arena->radius - path.radius);
+  const double mu = model.friction;
+  return pull + turning + mu * (1 + mu) * (2 * pull + turning);
+}
+
 }  // namespace
 
 Path pathFrom(const PathModel& model, const BallState& state, double radius, double t) {
@@ -96,6 +107,7 @@ double accelerationBound(const PathModel& model, const Path& path, const BallSta
   if (path.motion == Motion::Resting) return 0;
   const double byFields = pullBound(model, path, now, t, duration);
   if (path.motion == Motion::Flying) return byFields;
+  if (path.surface == kCorner) return boundInCorner(model, path, now, byFields, duration);
   return path.surface == kGround ? boundOnGround(model, path, byFields)
                                  : boundOnWall(model, path, now, byFields, duration);
 }

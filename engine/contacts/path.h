@@ -1,5 +1,5 @@
-// The path of one ball within a step, from its last event on: in flight, or held by the ground or
-// the wall, on which it rolls or slides. Dense output, and bounds on how much the path bends.
+// The path of one ball within a step, from its last event on: in flight, or held by the ground, the
+// wall or both, on which it rolls or slides. Dense output, and bounds on how much the path bends.
 #pragma once
 
 #include <cstdint>
@@ -21,14 +21,15 @@ struct PathModel {
 
 enum class Motion : std::uint8_t {
   Flying,
-  Rolling,   // on a surface, without slip
-  Sliding,   // on a surface
+  Rolling,   // on a surface, without slip; in the corner, on both
+  Sliding,   // on a surface; in the corner, on at least one
   Skidding,  // slides, and rolling resistance keeps it from turning
   Resting    // friction and rolling resistance hold it
 };
 
-/// In the place of kGround or kWall.
+/// In the place of kGround or kWall: none, and both at once.
 inline constexpr std::uint32_t kNoSurface = 0;
+inline constexpr std::uint32_t kCorner = 1;
 
 /// A ball that had `state` at `start` (s since the start of the step) and moves on since.
 struct Path {
@@ -37,11 +38,13 @@ struct Path {
   double radius = 0;  // m
   Motion motion = Motion::Flying;
   std::uint32_t surface = kNoSurface;  // that holds a ball that does not fly
+  std::uint32_t rolling = kNoSurface;  // in the corner: on which it rolls
 };
 
-/// The path that begins with `state` at time t. Where the ball touches the ground or the wall, does
-/// not leave it and is pressed to it, that surface holds it: its distance, its velocity towards it
-/// and, if it rolls, its spin are then made exact. What rests stays as it is, to the bit.
+/// The path that begins with `state` at time t. Where the ball touches the ground or the wall (or
+/// both), does not leave it and is pressed to it, that surface holds it: its distance, its velocity
+/// towards it and, if it rolls, its spin are then made exact. What rests stays as it is, to the
+/// bit.
 Path pathFrom(const PathModel& model, const BallState& state, double radius, double t);
 
 /// The state at t >= path.start: one flight, or one integration of the held ball,

@@ -1,14 +1,15 @@
-// One ball that the ground or the wall holds: where it is pressed to a surface it can only move
-// along it, with the spin that friction gives it (held_motion.h). Its distance from the surface and
-// its velocity towards it are exact; what ends a motion is located in time.
+// One ball that the ground, the wall or both hold: where it is pressed to a surface it can only
+// move along it, with the spin that friction gives it (held_motion.h, corner_motion.h). Its
+// distance from the surface and its velocity towards it are exact; what ends a motion is located in
+// time.
 #pragma once
 
 #include "contacts/path.h"
 
 namespace wells {
 
-/// Which surface holds the ball of a flying path at path.start: the one that it touches, neither
-/// leaves nor approaches, and is pressed to. None where both do: in the corner it has two contacts.
+/// What holds the ball of a flying path at path.start: the surface that it touches, neither leaves
+/// nor approaches, and is pressed to, or the corner of both (see corner.h).
 std::uint32_t holderOf(const PathModel& model, Path path);
 
 /// Makes such a path, with its surface set, one of a held ball.

@@ -31,6 +31,10 @@ inline double length(Flat a) {
   return std::sqrt(dot(a, a));
 }
 
+inline Flat unit(Flat a) {
+  return (1 / length(a)) * a;
+}
+
 /// Unit vectors, x cross y = normal; the normal points from the surface to the ball.
 struct Frame {
   Vec3 x;

@@ -136,40 +136,69 @@ IslandFate ExactFlight::simulate(const StepInput& in, std::span<const Contact> p
 
 IslandFate ExactFlight::resolve(const StepInput& in, double time, Balls& balls) {
   const bool isElastic = in.settings.elasticity == 1;
-  double elasticity = in.settings.elasticity;
-  const double pressing = pressingOfLoneBall(in, time, balls);
-  if (pressing > 0)
-    elasticity = settles(*in.model.arena, elasticity, pressing, balls) ? 0 : elasticity;
-  else if (!isElastic && isTooSlow(in, time, balls))
+  const Bounce bounce = bounceOfLoneBall(in, time, balls);
+  if (bounce == Bounce::OfMany && !isElastic && isTooSlow(in, time, balls))
     return IslandFate::Sustained;
+  const double elasticity = bounce == Bounce::Last ? 0 : in.settings.elasticity;
   const std::int64_t impulses =
       resolveImpacts(elasticity, in.settings.friction, cluster_, balls, ledger_);
   // It touches and closes no faster than rounding: where a force may press it together, it lasts.
   if (impulses == 0 && mayBePressed(in, time, balls)) return IslandFate::Sustained;
   counts_.impacts += impulses;
+  if (bounce == Bounce::Last) endHops(in, time, balls);
   if (cluster_.size() > 1) ++counts_.clusters;
   if (isElastic)
     return counts_.impacts > in.settings.mostImpacts ? IslandFate::TooMany : IslandFate::Done;
   return counts_.impacts > mostInelastic_ ? IslandFate::Sustained : IslandFate::Done;
 }
 
-double ExactFlight::pressingOfLoneBall(const StepInput& in, double time, const Balls& balls) const {
-  if (cluster_.size() != 1 || isBall(cluster_[0].b)) return 0;
-  const std::uint32_t ball = cluster_[0].a;
-  const Path path{balls.state(ball), time, balls.radius[ball], Motion::Flying, cluster_[0].b};
-  return loadOn(in.model, path, time).pressing;
+ExactFlight::Bounce ExactFlight::bounceOfLoneBall(const StepInput& in, double time,
+                                                  const Balls& balls) const {
+  bool isLast = true;
+  for (const Contact& c : cluster_) {
+    if (isBall(c.b)) return Bounce::OfMany;
+    if (cluster_.size() > 1 && !(closingSpeed(balls, c) > 0)) continue;
+    const double pressing = pressingOn(in, time, c, balls);
+    if (!(pressing > 0)) return Bounce::OfMany;
+    isLast = isLast && settles(*in.model.arena, in.settings.elasticity, pressing, c, balls);
+  }
+  return isLast ? Bounce::Last : Bounce::OneOfASeries;
+}
+
+double ExactFlight::pressingOn(const StepInput& in, double time, const Contact& c,
+                               const Balls& balls) {
+  return loadOn(in.model, {balls.state(c.a), time, balls.radius[c.a], Motion::Flying, c.b}, time)
+      .pressing;
 }
 
 // The flights that are left last 2 e v / (N (1 - e)) in all, N the pressing acceleration; the next
 // one rises by (e v)^2 / (2 N).
-bool ExactFlight::settles(const Arena& arena, double elasticity, double pressing,
+bool ExactFlight::settles(const Arena& arena, double elasticity, double pressing, const Contact& c,
                           const Balls& balls) const {
-  const Contact& c = cluster_[0];
   const double after = elasticity * closingSpeed(balls, c);
+  return 2 * after <= kSettlingTime * dt_ * pressing * (1 - elasticity) ||
+         (elasticity < 1 && isTooLow(arena, after, pressing, c, balls));
+}
+
+bool ExactFlight::isTooLow(const Arena& arena, double rising, double pressing, const Contact& c,
+                           const Balls& balls) {
   const double size = c.b == kGround ? std::abs(balls.position[c.a].y()) + balls.radius[c.a]
                                      : length(arena.center) + arena.radius;
-  return 2 * after <= kSettlingTime * dt_ * pressing * (1 - elasticity) ||
-         (elasticity < 1 && after * after <= 2 * pressing * kSettlingHeight * size);
+  return rising * rising <= 2 * pressing * kSettlingHeight * size;
+}
+
+void ExactFlight::endHops(const StepInput& in, double time, Balls& balls) {
+  for (const Contact& c : cluster_) {
+    const double closing = closingSpeed(balls, c);
+    if (!(closing < 0)) continue;
+    const double pressing = pressingOn(in, time, c, balls);
+    if (!(pressing > 0) || !isTooLow(*in.model.arena, closing, pressing, c, balls)) continue;
+    const double size = closing / c.inverseMassA;
+    applyImpulse<ArenaPartner>(balls, c, -size * c.normal);
+    if (!ledger_) continue;
+    bookNormal(ledger_, c, size, closing);
+    bookArena(ledger_, c, -size * c.normal, balls);
+  }
 }
 
 void ExactFlight::book(const StepInput& in, std::uint32_t i, double t, const Balls& balls) {

@@ -99,10 +99,24 @@ class ExactFlight {
                       Balls& balls);
   /// At an event, with the states of the cluster's balls in `balls`.
   IslandFate resolve(const StepInput& in, double time, Balls& balls);
-  /// m/s^2, to ground or wall, if the cluster is one ball that meets it alone; else 0.
-  double pressingOfLoneBall(const StepInput& in, double time, const Balls& balls) const;
-  /// True when the bounce of such a ball is the last that counts.
-  bool settles(const Arena& arena, double elasticity, double pressing, const Balls& balls) const;
+  enum class Bounce : std::uint8_t {
+    OfMany,        // not of one ball alone that ground or wall presses back
+    OneOfASeries,  // which has an end, see kSettlingTime
+    Last           // that counts
+  };
+  /// Of the cluster.
+  Bounce bounceOfLoneBall(const StepInput& in, double time, const Balls& balls) const;
+  /// m/s^2, of a lone ball to ground or wall.
+  static double pressingOn(const StepInput& in, double time, const Contact& c, const Balls& balls);
+  /// True when the bounce at ground or wall is the last that counts. `pressing` in m/s^2.
+  bool settles(const Arena& arena, double elasticity, double pressing, const Contact& c,
+               const Balls& balls) const;
+  /// True when a ball that leaves the surface at `rising` (m/s) hardly leaves it.
+  static bool isTooLow(const Arena& arena, double rising, double pressing, const Contact& c,
+                       const Balls& balls);
+  /// Of a lone ball in the corner: friction on one surface makes it leave the other, but so slowly
+  /// that rounding hides the hop.
+  void endHops(const StepInput& in, double time, Balls& balls);
   /// Adds the next impact of pair p. False: its contact lasts.
   bool foresee(const StepInput& in, std::span<const Contact> pairs, std::uint32_t p);
   /// Ball i has followed its path until t.

@@ -33,6 +33,8 @@ constexpr Bound kBounds[] = {
     {"whispering-gallery", 1e-9, 1e-9},
     {"wall-slide-to-roll", 1e-9, 1e-9},
     {"wall-rolling", 1e-6, 1e-6},
+    {"corner-slide-to-roll", 1e-9, 1e-9},
+    {"corner-rolling", 1e-9, 1e-9},
     {"oblique-ground", 1e-9, 1e-9},
     {"oblique-balls", 1e-9, 1e-9},
     {"friction-balls-stick", 1e-9, 1e-9},

@@ -124,6 +124,21 @@ TEST(ExactAnswers, RollingRoundTheWall) {
                {{rho * std::cos(omega * t), 5 - fallen, -rho * std::sin(omega * t)}});
 }
 
+// In the corner the friction that turns the spin of a ball that rolls on the ground presses it to
+// the wall, N = 7/5 v^2 / rho: v' = -mu v^2 / rho while the slip v + r w falls 9/2 times as fast;
+// it is used up at v = 7/9 v0. Rolling on both, the energy is 9/10 m v^2, so drag k gives v' = -5/9
+// k v.
+TEST(ExactAnswers, InTheCorner) {
+  const oracle::Real rho = 9.5L, v0 = 5, mu = 0.3L, t = 10;
+  const auto at = [&](oracle::Real way) -> oracle::P {
+    return {rho * std::cos(way / rho), 0.5L, -rho * std::sin(way / rho)};
+  };
+  const oracle::Real t1 = 2 * rho / (7 * mu * v0);
+  expectAnswer("corner-slide-to-roll", {at(rho / mu * std::log(9 / 7.0L) + 7 * v0 / 9 * (t - t1))});
+  const oracle::Real slows = -5 / 9.0L * std::log(0.9L);
+  expectAnswer("corner-rolling", {at(v0 / slows * (1 - std::exp(-slows * t)))});
+}
+
 TEST(ExactAnswers, RollingUnderAWell) {
   const World world = makeScene(findScene("rolling-well"));
   oracle::Body ball = oracle::bodiesOf(world)[0];

@@ -89,6 +89,29 @@ TEST(Books, RollingRoundTheWallLosesNothing) {
   expectClosed(r, 1e-12);
 }
 
+// In the corner: 7/10 m v^2 when it rolls on the ground, 9/10 m (7/9 v)^2 when it rolls on both.
+// Ground and wall together bear the weight.
+TEST(Books, SlidingInTheCornerLosesTwoNinthsToFriction) {
+  const BookedRun r = run(makeScene(findScene("corner-slide-to-roll")), 600);
+  EXPECT_NEAR(r.books.friction, -2.0 / 9 * 0.7 * 25, 1e-9);
+  EXPECT_NEAR(r.books.flight, 0, 1e-9);
+  EXPECT_EQ(r.books.contacts, 0);
+  EXPECT_NEAR(r.books.ground.linear.y() + r.books.wall.linear.y(), 9.81 * 10, 1e-9);
+  EXPECT_GT(length(r.books.wall.linear), 1);
+  expectClosed(r, 1e-12);
+}
+
+// Sliding on both, the wall presses the ball to the ground and the ground to the wall.
+TEST(Books, OfABallWedgedIntoTheCornerClose) {
+  World world = makeScene(findScene("corner-slide-to-roll"));
+  world.balls.spin[0] = {0, 0, -20};
+  const BookedRun r = run(world, 20);
+  EXPECT_LT(r.books.friction, -1);
+  EXPECT_NEAR(r.books.flight, 0, 1e-7);
+  EXPECT_EQ(r.books.contacts, 0);
+  expectClosed(r, 1e-12);
+}
+
 // A ball that falls from the height 5 m keeps e^2 of its energy at each impact.
 TEST(Books, BouncesLoseWhatRestitutionTakes) {
   const BookedRun r =

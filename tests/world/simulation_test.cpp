@@ -152,8 +152,8 @@ TEST(Prediction, HasTheBitsOfTheSimulation) {
   }
 }
 
-// The same in each method, and for a ball that a well presses to the wall, where contacts last and
-// start from remembered impulses.
+// The same in each method, and for a ball that a well presses into the corner of ground and wall,
+// where contacts last; in substeps they start from remembered impulses.
 TEST(Prediction, HasTheBitsOfTheSimulationInEachMethod) {
   for (const ContactMethod method :
        {ContactMethod::Substep, ContactMethod::Exact, ContactMethod::Auto})
@@ -171,7 +171,9 @@ TEST(Prediction, HasTheBitsOfTheSimulationInEachMethod) {
         simulation->step(world);
         inSubsteps += simulation->counts().substepBalls;
       }
-      EXPECT_GT(inSubsteps, 20) << "the contact with the wall lasts";
+      if (method == ContactMethod::Substep) {
+        EXPECT_GT(inSubsteps, 20) << "the contact lasts";
+      }
       const BallState predicted = predict(world, 0, start, 0, 300);
       EXPECT_EQ(predicted.position, world.balls.position[0]) << name(method) << " " << integrator;
       EXPECT_EQ(predicted.velocity, world.balls.velocity[0]) << name(method) << " " << integrator;
