@@ -67,14 +67,16 @@ void addOptions(CLI::App& app, BenchOptions& options) {
               throw std::invalid_argument(fmt::format("no such contact method; allowed: {}",
                                                       fmt::join(kContactMethodNames, ", ")));
           });
-  addName(app, "--from", options.from,
-          fmt::format("start, or settled: what is reported begins when the kinetic energy has been "
-                      "below {:g} of its peak for {} s (default start)",
-                      kSettledShare, kSettledTime),
-          [](std::string_view name) {
-            if (name != "start" && name != "settled")
-              throw std::invalid_argument("no such moment; allowed: start, settled");
-          });
+  addName(
+      app, "--from", options.from,
+      fmt::format("start, or settled: what is reported begins when the kinetic energy has been "
+                  "below {:g} of its peak for {} s; asleep: when all balls of ours sleep (default "
+                  "start)",
+                  kSettledShare, kSettledTime),
+      [](std::string_view name) {
+        if (name != "start" && name != "settled" && name != "asleep")
+          throw std::invalid_argument("no such moment; allowed: start, settled, asleep");
+      });
   addInteger(app, "--balls", options.balls, 1, kMostBalls, "default: the scene's");
   addInteger(app, "--steps", options.steps, 1, kMostSteps, "default: the scene's");
   addInteger(app, "--substeps", options.substeps, 1, 1000, "of ours (default: the scene's)");
@@ -134,6 +136,11 @@ void appendRow(const fs::path& file, const std::string& row) {
   if (!out) throw RunError(fmt::format("--csv {}: could not be written", file.string()));
 }
 
+/// What is timed from the start on is timed as other engines were, by scene.
+bool maySleep(const BenchOptions& options) {
+  return findScene(options.scene).sleeping || options.from != "start";
+}
+
 World sceneWorld(const BenchOptions& options) {
   World world;
   try {
@@ -148,7 +155,7 @@ World sceneWorld(const BenchOptions& options) {
   if (const auto method = contactMethod(options.contacts)) settings.contactMethod = *method;
   if (options.substeps > 0) settings.substeps = static_cast<int>(options.substeps);
   if (options.iterations > 0) settings.iterations = static_cast<int>(options.iterations);
-  if (!findScene(options.scene).sleeping) settings.sleepSpeed = 0;
+  if (!maySleep(options)) settings.sleepSpeed = 0;
   return world;
 }
 
@@ -161,7 +168,7 @@ void requireTrial(const BenchOptions& options) {
                                                  {"--integrator", !options.integrator.empty()},
                                                  {"--contacts", !options.contacts.empty()},
                                                  {"--substeps", options.substeps > 0},
-                                                 {"--from settled", options.from == "settled"}};
+                                                 {"--from", options.from != "start"}};
   for (const auto& [name, isGiven] : chosen)
     if (isGiven)
       throw UsageError(fmt::format(
@@ -202,15 +209,18 @@ BenchResult runScene(const BenchOptions& options) {
   const Scene& scene = findScene(options.scene);
   std::int64_t steps = options.steps > 0 ? options.steps : scene.defaultSteps;
   const auto newStepper = [&] {
-    return makeEngine(options.engine, scene.sleeping ? Sleeping::On : Sleeping::Off);
+    return makeEngine(options.engine, maySleep(options) ? Sleeping::On : Sleeping::Off);
   };
   World world = sceneWorld(options);
   if (options.targetError > 0) steps = chooseFor(options.targetError, steps, world);
   const auto stepper = newStepper();
-  const BenchFrom from = options.from == "settled" ? BenchFrom::Settled : BenchFrom::Start;
-  if (from == BenchFrom::Settled)
-    withProgress({.dt = world.settings.dt},
-                 [&](const auto& progress) { settle(*stepper, world, progress); });
+  const BenchFrom from = options.from == "settled"  ? BenchFrom::Settled
+                         : options.from == "asleep" ? BenchFrom::Asleep
+                                                    : BenchFrom::Start;
+  if (from != BenchFrom::Start)
+    withProgress({.dt = world.settings.dt}, [&](const auto& progress) {
+      (from == BenchFrom::Settled ? settle : fallAsleep)(*stepper, world, progress);
+    });
   const auto booking = newStepper();  // starts where the timed one does
   if (stepper->memory()) booking->restore(*stepper->memory());
 
@@ -251,6 +261,9 @@ int runBench(std::span<const std::string> arguments, char** argv) {
     return 0;
   }
   requireTrial(options);
+  if (options.from == "asleep" && options.engine != "ours")
+    throw UsageError(fmt::format(
+        "--from asleep: {} does not say who sleeps; allowed: --engine ours", options.engine));
   if (!options.csv.empty()) checkCsv(options.csv);
   becomeExecutableOf(options.engine, argv);
 

@@ -38,7 +38,7 @@ BenchResult benchmark(Stepper& stepper, World world, std::int64_t steps, BenchFr
   result.dt = world.settings.dt;
   result.steps = steps;
   result.start = measure(world);
-  if (from == BenchFrom::Settled) result.rest.emplace(world);
+  if (from != BenchFrom::Start) result.rest.emplace(world);
   std::vector<Clock::duration> times;
   times.reserve(static_cast<std::size_t>(steps));
   Clock::time_point reported = Clock::now();

@@ -13,7 +13,7 @@
 
 namespace wells {
 
-enum class BenchFrom : std::uint8_t { Start, Settled };
+enum class BenchFrom : std::uint8_t { Start, Settled, Asleep };
 
 struct BenchResult {
   std::string scene;
@@ -29,16 +29,16 @@ struct BenchResult {
   Measures start;
   Measures end;
   std::int64_t asleep = 0;        // balls, at the end
-  std::optional<RestWatch> rest;  // of a benchmark from settled
+  std::optional<RestWatch> rest;  // unless from the start
   ContactShares shares;
   std::optional<Books> books;  // of a run of its own; nothing where the engine keeps none
   double peakRss = 0;          // MiB, of the whole process
   std::uint64_t stateHash = 0;
 };
 
-/// Steps `world` and measures before and after; nothing but the steps is timed. Settled: watches
-/// what still moves. `progress` is called with the number of steps done, about ten times a second
-/// at most.
+/// Steps `world` and measures before and after; nothing but the steps is timed. Unless from the
+/// start, watches what still moves. `progress` is called with the number of steps done, about ten
+/// times a second at most.
 BenchResult benchmark(Stepper& stepper, World world, std::int64_t steps, BenchFrom from,
                       const std::function<void(std::int64_t)>& progress);
 

@@ -13,9 +13,10 @@ namespace wells {
 /// A world that takes longer is given up.
 inline constexpr double kLongestSettling = 600;  // s, of its own time
 
-/// Steps `world` until it has settled. `progress` is called with the number of steps done. Throws
-/// RunError when that takes longer than kLongestSettling.
+/// Steps `world` until it has settled, or until all its balls sleep. `progress` is called with the
+/// number of steps done. Throw RunError when that takes longer than kLongestSettling.
 void settle(Stepper& stepper, World& world, const std::function<void(std::int64_t)>& progress);
+void fallAsleep(Stepper& stepper, World& world, const std::function<void(std::int64_t)>& progress);
 
 /// What moves in a settled world: creep and jitter.
 class RestWatch {
@@ -25,10 +26,10 @@ class RestWatch {
   /// After each step. O(N).
   void add(const World& world);
 
-  /// s, of the world, when it had settled.
+  /// s, of the world, when it began to watch.
   double settledAt() const { return settledAt_; }
 
-  /// m, the furthest that a ball ever was from where it was when the world had settled.
+  /// m, the furthest that a ball ever was from where it was then.
   double moved() const { return moved_; }
 
   /// J, the most by which the kinetic energy rose above an earlier value; 0: it only fell.

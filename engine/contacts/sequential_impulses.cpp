@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "contacts/lasting_force.h"
+#include "contacts/partners.h"
+
 namespace wells {
 namespace {
 
@@ -82,9 +85,27 @@ void findTouch(const Arena& arena, double h, const Vec3* velocityBefore, const B
            (!c.isCoarse && c.isSlow && c.gap <= fall);
 }
 
+/// m/s, by which the contact shall open; < 0: may close. From the closing speeds after flight.
+template <class Partner>
+double bounceSpeed(double elasticity, double h, const Balls& balls, const Contact& c) {
+  const bool rested = c.restedImpulse > 0;
+  if (c.impact) return elasticity * c.closingFlown;
+  // Along the normal half-way, what turns parts at the start as fast as it closes at the end. Where
+  // overlap is left, no gap says so.
+  if (rested && !c.isSmall) {
+    const double speed =
+        length(balls.velocity[c.a]) + length(Partner::velocity(balls.velocity.data(), c));
+    return std::min(0.0, withoutNoise(c.closingFlown - c.builtUp, speed));
+  }
+  // What has not closed yet may do so within the next substep, and no faster. A force that lasts
+  // will have lifted it again by half of what its speed built up.
+  const double ahead = rested ? c.gap + std::max(0.0, c.builtUp) * h / 2 : c.gap;
+  const bool isOpen = ahead > kClosedGap * (length(balls.position[c.a]) + balls.radius[c.a]);
+  return isOpen ? -ahead / h : 0;
+}
+
 /// Masses and the bounce, from the state before any impulse of this substep. In large islands,
-/// which are never solved to the end, contacts act only where they touch, and nothing is known to
-/// rest.
+/// whose contacts are left some overlap, they act only where they touch.
 template <class Partner>
 void prepare(const Settings& settings, const Arena& arena, double h, const Vec3* velocityBefore,
              const Balls& balls, Contact& c) {
@@ -100,11 +121,7 @@ void prepare(const Settings& settings, const Arena& arena, double h, const Vec3*
     c.closingFlown = closing;
     c.builtUp = withoutNoise(closing - closingSpeed<Partner>(velocityBefore, c), speed);
     c.impact = !rested && !c.isSlow;
-    // What has not closed yet may do so within the next substep, and no faster. A force that lasts
-    // will have lifted it again by half of what its speed built up.
-    const double ahead = rested ? c.gap + std::max(0.0, c.builtUp) * h / 2 : c.gap;
-    const bool isOpen = ahead > kClosedGap * (length(balls.position[c.a]) + balls.radius[c.a]);
-    c.bounceSpeed = c.impact ? settings.elasticity * closing : isOpen ? -ahead / h : 0;
+    c.bounceSpeed = bounceSpeed<Partner>(settings.elasticity, h, balls, c);
     c.inverseMassA = 1 / balls.mass[c.a];
     c.inverseMassB = Partner::inverseMass(balls, c);
   }
@@ -196,52 +213,6 @@ void give(const DirectSolver::Impulse& total, Balls& balls, Contact& c, const Le
     brake<Partner>(balls, c, total.rolling - c.rollingImpulse, ledger);
   c.rollingImpulse = total.rolling;
   c.isSolved = true;
-}
-
-// A contact that rests carried its impulse evenly over the substep: a constant force moves a ball
-// by half of what the full change of velocity would. With it, a resting ball stays where it is and
-// a sliding one brakes exactly. An impact is an instant, and gets none; what suddenly exceeds the
-// impulse of the substep before passes on an impact from elsewhere. Where the balls came to rest in
-// this substep, the force did not act all the time.
-
-/// Twice the work that the impulse took from the motion along the normal.
-double lossOf(const Contact& c, const Balls& balls) {
-  return c.normalImpulse * (c.closingFlown + closingSpeed(balls, c));
-}
-
-/// A contact gets the share with which the shift raises the potential by no more than the impulse
-/// took from the motion:
-///   share (closing after flight - closing before) <= closing after flight + closing resolved.
-double shareAlone(const Contact& c, const Balls& balls) {
-  if (c.impact || c.normalImpulse == 0) return 0;
-  if (c.builtUp <= 0) return 1;
-  return std::clamp((c.closingFlown + closingSpeed(balls, c)) / c.builtUp, 0.0, 1.0);
-}
-
-/// What rests in an island that is solved gets the same share of the substep throughout, so that
-/// forces in balance shift nothing. Again the shifts raise no more than the impulses took.
-void shareTogether(std::span<Contact* const> island, const Balls& balls) {
-  double lost = 0;
-  double raised = 0;
-  for (Contact* c : island) {
-    c->share = c->restedImpulse > 0 && c->normalImpulse > 0
-                   ? std::min(1.0, kRestFactor * c->restedImpulse / c->normalImpulse)
-                   : shareAlone(*c, balls);
-    if (c->impact) continue;
-    lost += lossOf(*c, balls);
-    raised += c->normalImpulse * c->share * c->builtUp;
-  }
-  if (raised <= 0) return;
-  const double part = std::clamp(lost / raised, 0.0, 1.0);
-  for (Contact* c : island) c->share *= part;
-}
-
-template <class Partner>
-void shiftByContactForce(double h, Balls& balls, const Contact& c) {
-  if (c.share == 0) return;
-  const Vec3 shift = (c.tangentImpulse - c.normalImpulse * c.normal) * (c.share * h / 2);
-  balls.position[c.a] += c.inverseMassA * shift;
-  Partner::shift(balls, c, -shift);
 }
 
 /// Where no force acts nothing lasts, and where substeps are too coarse nothing can be told to.
@@ -344,18 +315,6 @@ void forEach(const ContactLists& contacts, Action action) {
   for (Contact& c : contacts.arena) action.template operator()<ArenaPartner>(c);
 }
 
-/// What normal impulses and their shifts did (J): J (c + c') / 2 of all contacts is exact, c and c'
-/// the closing speeds before and after all impulses, whatever the order in which they were found.
-double workOfNormals(const ContactLists& contacts, const Balls& balls) {
-  double sum = 0;
-  for (const auto& list : {contacts.balls, contacts.arena})
-    for (const Contact& c : list) {
-      if (c.normalImpulse > 0)
-        sum -= (lossOf(c, balls) - c.normalImpulse * c.share * c.builtUp) / 2;
-    }
-  return sum;
-}
-
 }  // namespace
 
 ResolvedCounts resolveContacts(const Settings& settings, const Arena& arena, double h,
@@ -377,7 +336,8 @@ ResolvedCounts resolveContacts(const Settings& settings, const Arena& arena, dou
   });
   forEach(contacts, [&]<class Partner>(Contact& c) { warmStart<Partner>(balls, c, ledger); });
   const ResolvedCounts counts = solveIslands(settings, balls, workspace, ledger);
-  const double normals = booking ? workOfNormals(contacts, balls) : 0;
+  const double normals =
+      booking ? workOfNormals(contacts.balls, balls) + workOfNormals(contacts.arena, balls) : 0;
   const Placement solved = booking ? placement() : Placement{};
   if (booking) {
     for (const Contact& c : contacts.balls) bookTurnedNormal(ledger, c, balls);

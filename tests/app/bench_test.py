@@ -121,6 +121,17 @@ class Bench(unittest.TestCase):
         booked = sum(float(row[source]) for source in SOURCES)
         self.assertAlmostEqual(booked, gained, delta=1e-8 * abs(float(row["energy_end_J"])))
 
+    def test_a_heap_that_has_fallen_asleep_moves_no_more(self):
+        row = self.rows("--scene", "T1", "--balls", 250, "--from", "asleep", "--steps", 2000)[-1]
+        self.assertEqual(row["asleep"], "250")
+        for column in ("moved_m", "kinetic_rise_J", "kinetic_end_J", "contacts_J", "push_out_J"):
+            self.assertEqual(float(row[column]), 0, column)
+        self.assertLess(float(row["max_overlap_m"]), 1e-3)
+        self.assertEqual(self.rows("--scene", "T1", "--balls", 250, "--steps", 900)[-1]["asleep"], "0")
+        done = run("bench", "--from", "asleep", "--engine", "bullet")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("--from asleep: bullet does not say who sleeps", done.stderr)
+
     def test_a_world_that_never_settles_is_given_up(self):
         done = run("bench", "--scene", "bounce", "--from", "settled")
         self.assertEqual(done.returncode, 1)
@@ -141,7 +152,7 @@ class Bench(unittest.TestCase):
                 (("--balls", 4, "--scene", "billiard"), "scene 'billiard' is made for 3 ball(s)"),
                 (("--dt", 2), "--dt 2"),
                 (("--integrator", "magic"), "allowed: symplectic-euler, leapfrog, heun, rk4, pefrl"),
-                (("--from", "rest"), "--from rest: no such moment; allowed: start, settled"),
+                (("--from", "rest"), "--from rest: no such moment; allowed: start, settled, asleep"),
                 (("curve", "--substeps", "4,0"), "--substeps 4,0: "),
                 (("curve", "--scene", "T9"), "--scene T9: scene 'T9' is unknown"),
                 (("--steps", "many"), "--steps many")):

@@ -106,6 +106,7 @@ TEST(ContactChoice, IsRememberedFromStepToStep) {
 // A heap is tried once, and then not for kCrowdSteps steps.
 TEST(ContactChoice, AHeapIsSeldomTried) {
   World world;
+  world.settings.sleepSpeed = 0;
   for (int x = 0; x < 5; ++x)
     for (int y = 0; y < 4; ++y)
       for (int z = 0; z < 5; ++z)
