@@ -175,13 +175,17 @@ double solveNormal(Balls& balls, Contact& c, const Ledger& ledger) {
   return std::abs(change) / normalMass(c);
 }
 
+Vec3 shortenedTo(double limit, const Vec3& v) {
+  const double size = length(v);
+  return size > limit ? Vec3(limit / size * v) : v;
+}
+
 /// Likewise.
 template <class Partner>
 double solveTangent(double friction, Balls& balls, Contact& c, const Ledger& ledger) {
-  Vec3 total = c.tangentImpulse - tangentMass(c) * slipVelocity<Partner>(balls, c);
-  const double limit = friction * c.normalImpulse;
-  const double size = length(total);
-  if (size > limit) total *= limit / size;
+  const Vec3 total =
+      shortenedTo(friction * c.normalImpulse,
+                  c.tangentImpulse - tangentMass(c) * slipVelocity<Partner>(balls, c));
   const Vec3 change = total - c.tangentImpulse;
   c.tangentImpulse = total;
   rub<Partner>(balls, c, change, ledger);
@@ -192,11 +196,9 @@ double solveTangent(double friction, Balls& balls, Contact& c, const Ledger& led
 template <class Partner>
 double solveRolling(double resistance, Balls& balls, Contact& c, const Ledger& ledger) {
   if (c.impact) return 0;
-  Vec3 total = c.rollingImpulse -
-               rollingVelocity<Partner>(balls, c) / inverseTurningInertia<Partner>(balls, c);
-  const double limit = resistance * c.normalImpulse;
-  const double size = length(total);
-  if (size > limit) total *= limit / size;
+  const Vec3 total = shortenedTo(resistance * c.normalImpulse,
+                                 c.rollingImpulse - rollingVelocity<Partner>(balls, c) /
+                                                        inverseTurningInertia<Partner>(balls, c));
   const Vec3 change = total - c.rollingImpulse;
   c.rollingImpulse = total;
   brake<Partner>(balls, c, change, ledger);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "support/body_step.h"
 #include "support/event_driven.h"
 #include "support/taylor_flight.h"
 
@@ -138,9 +139,7 @@ class HeldBall {
            size(f) <= std::min(mu_, arm_ / b.r) * pressing(b);
   }
 
-  struct Rate {
-    P x, v, w;
-  };
+  using Rate = BodyRate;
 
   Rate rate(const Body& b) const {
     const P n = normal(b.x), braking = resisted(b), pull = slipForce(b) + braking;
@@ -158,18 +157,7 @@ class HeldBall {
   }
 
   Body step(const Body& b, Real h) const {
-    const auto moved = [&](const Rate& r, Real s) {
-      Body next = b;
-      next.x = b.x + s * r.x, next.v = b.v + s * r.v, next.w = b.w + s * r.w;
-      return next;
-    };
-    const Rate k1 = rate(b), k2 = rate(moved(k1, h / 2)), k3 = rate(moved(k2, h / 2)),
-               k4 = rate(moved(k3, h));
-    const auto sum = [](const P& a, const P& c, const P& d, const P& e) {
-      return 1 / 6.0L * (a + 2 * (c + d) + e);
-    };
-    return moved(
-        {sum(k1.x, k2.x, k3.x, k4.x), sum(k1.v, k2.v, k3.v, k4.v), sum(k1.w, k2.w, k3.w, k4.w)}, h);
+    return stepBody(b, h, [&](const Body& at) { return rate(at); });
   }
 
   /// The force f per mass against friction, which takes 7/2 of its share from a slip.
