@@ -128,22 +128,21 @@ double HeldMotion::longestStep(const Held& now, double t) const {
     return whole;
   const Load load = loadOn(now, t);
   double longest = whole;
-  if (!isRolling) longest = longestStep(now.slip, driveOfSlip(now, load), slip_.noise, whole);
+  if (!isRolling) longest = longestStep(now.slip, driveOfSlip(now, load), slip_, whole);
   if (resistance_ == 0 || path_.motion == Motion::Skidding) return longest;
   const Drive drive = driveOfTurning(load, isRolling ? Flat{} : gripOn(now, load).friction);
-  return std::min(longest, longestStep(lagOf(now), drive, turning_.noise, whole));
+  return std::min(longest, longestStep(lagOf(now), drive, turning_, whole));
 }
 
-double HeldMotion::longestStep(Flat moving, const Drive& drive, double noise, double whole) const {
+double HeldMotion::longestStep(Flat moving, const Drive& drive, const Opposed& opposed,
+                               double whole) const {
   const double speed = length(moving);
-  if (speed <= noise) return whole;
+  if (speed <= opposed.noise || follows(speed, drive, opposed)) return whole;
   // What ends turns ever faster towards the pull: ever shorter steps, as it gets smaller.
   if (dot(drive.pull, moving) < drive.limit * speed)
     return std::min(whole, std::max(kShortestPart * whole, kTurningShare * speed / drive.limit));
   // What begins is held to the pull's direction, stiffly: within what RK4 keeps stable.
-  return speed <= smallest(drive.limit)
-             ? whole
-             : std::min(whole, std::max(kShortestPart * whole, speed / drive.limit));
+  return std::min(whole, std::max(kShortestPart * whole, speed / drive.limit));
 }
 
 double HeldMotion::continuation(const Held& now, double t) const {
@@ -191,8 +190,7 @@ double HeldMotion::remainder(const Held& now) const {
 Flat HeldMotion::direction(Flat moving, const Drive& drive, const Opposed& opposed) const {
   if (!isPulled_) return opposed.first;
   const double speed = length(moving);
-  if (speed <= smallest(drive.limit) && dot(drive.pull, opposed.first) > drive.limit)
-    return (1 / length(drive.pull)) * drive.pull;
+  if (follows(speed, drive, opposed)) return (1 / length(drive.pull)) * drive.pull;
   if (dot(moving, opposed.first) <= opposed.noise) return opposed.first;
   return (1 / speed) * moving;
 }
@@ -222,7 +220,13 @@ double HeldMotion::resistanceOnTurning(const Load& load) const {
   return kSpinning * resistance_ * std::max(0.0, load.pressing);
 }
 
-/// m/s; what begins and is smaller follows the pull.
+/// What is small and pulled on turns to the pull at once: at the rate pull / speed, whether it
+/// begins or ends.
+bool HeldMotion::follows(double speed, const Drive& drive, const Opposed& opposed) const {
+  return speed <= smallest(drive.limit) && dot(drive.pull, opposed.first) > drive.limit / 2;
+}
+
+/// m/s; what is smaller may follow the pull.
 double HeldMotion::smallest(double limit) const {
   return kFollowingShare * limit * model_.field->stretch;
 }

@@ -107,8 +107,9 @@ class HeldMotion {
   double reserve(const Held& now, const Load& load) const;
   double remainder(const Held& now) const;
   double smallest(double limit) const;
+  bool follows(double speed, const Drive& drive, const Opposed& opposed) const;
   Flat direction(Flat moving, const Drive& drive, const Opposed& opposed) const;
-  double longestStep(Flat moving, const Drive& drive, double noise, double whole) const;
+  double longestStep(Flat moving, const Drive& drive, const Opposed& opposed, double whole) const;
   void beginSlip();
   void beginTurning();
 
