@@ -114,15 +114,6 @@ void listCases() {
                answer.about);
 }
 
-void makeFolder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw UsageError(fmt::format("--out {}: cannot be made: {}; allowed: a folder, or a new one",
-                                 folder.string(), error.message()));
-  requireFolder("--out", folder);
-}
-
 std::vector<CaseResult> runAll(const AccuracyOptions& options) {
   Progress progress(options);
   std::vector<CaseResult> results;
@@ -146,7 +137,7 @@ int runAccuracyBench(std::span<const std::string> arguments, char** argv) {
   if (!options->points.empty()) return writePoints(*options, argv);
 
   becomeExecutableOf("ours", argv);  // the one that starts the other
-  makeFolder(options->out);
+  makeFolder("--out", options->out);
   const std::vector<CaseResult> results = runAll(*options);
   const std::vector<CaseReach> reaches = compare(results);
   const std::string command =

@@ -16,6 +16,7 @@
 #include "scenes/catalogue.h"
 #include "text_file.h"
 #include "values.h"
+#include "work_precision.h"
 
 namespace wells {
 namespace {
@@ -40,12 +41,6 @@ struct CurvePoint {
   std::optional<BenchRow> row;  // of the first repeat; physics is the same in all
   bool isBullet() const { return substeps == 0; }
 };
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
-}
 
 /// Bullet's time over that of `point`, repeat by repeat: what slows the machine down for a while
 /// slows down both.
@@ -75,8 +70,8 @@ std::optional<CurveOptions> parseCurveOptions(std::span<const std::string> argum
   CLI::App app{
       "Overlap against time: runs a scene with each number of substeps and of solver passes, and "
       "with stock Bullet, in turn, each in a process of its own.\n"
-      "Writes a table (CSV), a gnuplot script and a plot (PNG). The whole takes about a quarter of "
-      "an hour.",
+      "Writes a table (CSV), a gnuplot script and a plot (PNG). The whole takes about half an "
+      "hour.",
       "./run.sh bench curve"};
   CurveOptions options;
   addName(app, "--scene", options.scene, "what to simulate (default T1)",
@@ -212,8 +207,7 @@ int runCurveBench(std::span<const std::string> arguments, char** argv) {
   const std::optional<CurveOptions> options = parseCurveOptions(arguments);
   if (!options) return 0;
   becomeExecutableOf("ours", argv);  // the one that starts the other
-  fs::create_directories(options->out);
-  requireFolder("--out", options->out);
+  makeFolder("--out", options->out);
   std::vector<CurvePoint> points = pointsOf(*options);
   run(*options, points);
   writeAtomically(options->out / "curve.csv", curveCsv(points));

@@ -72,18 +72,6 @@ bool parseDemoOptions(std::span<const std::string> arguments, DemoOptions& optio
   return parseArguments(app, arguments) == Parsed::Options;
 }
 
-fs::path madeFolder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw UsageError(
-        fmt::format("--out {}: cannot be made: {}; allowed: a writable folder, or one "
-                    "that can be made",
-                    folder.string(), error.message()));
-  requireFolder("--out", folder);
-  return folder;
-}
-
 // A port of its own keeps a demonstration on the host apart from sessions and other demonstrations.
 LcmUrl demoUrl() {
   constexpr int kFirstPrivatePort = 49152;  // RFC 6335
@@ -171,7 +159,8 @@ int runDemo(std::span<const std::string> arguments) {
   const LcmUrl url = demoUrl();
   const bool passes = checkMulticast(url).result == MulticastCheck::Result::Passes;
   const int count = passes || options.requireLcm ? 2 : 1;
-  const fs::path folder = madeFolder(options.out);
+  const fs::path& folder = options.out;
+  makeFolder("--out", folder);
 
   catchInterrupts();
   std::vector<DemoPeer> peers;

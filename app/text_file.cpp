@@ -121,4 +121,14 @@ void requireFolder(std::string_view option, const fs::path& folder) {
                   option, folder.string()));
 }
 
+void makeFolder(std::string_view option, const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw UsageError(fmt::format(
+        "{} {}: cannot be made: {}; allowed: a writable folder, or one that can be made", option,
+        folder.string(), error.message()));
+  requireFolder(option, folder);
+}
+
 }  // namespace wells

@@ -24,4 +24,7 @@ void requireWritable(std::string_view option, const std::filesystem::path& file)
 /// Throws UsageError unless `folder` is a writable folder or can be made.
 void requireFolder(std::string_view option, const std::filesystem::path& folder);
 
+/// Makes `folder` unless it is there. Throws UsageError unless it is then a writable folder.
+void makeFolder(std::string_view option, const std::filesystem::path& folder);
+
 }  // namespace wells

@@ -107,6 +107,10 @@ inline double closingSpeed(const Balls& balls, const Contact& c) {
 inline constexpr double kClosedGap = 1e-15;
 inline constexpr double kClosingNoise = 1e-14;
 
+/// A contact that closes no faster than this many times the speed which forces gave one of its
+/// balls within the substep rests.
+inline constexpr double kRestFactor = 2;
+
 inline double withoutNoise(double closing, double speed) {
   return std::abs(closing) <= kClosingNoise * speed ? 0 : closing;
 }

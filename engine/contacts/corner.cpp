@@ -10,22 +10,19 @@
 namespace wells {
 namespace {
 
-// What the ends of slips give back to the other three, by the impulses that stop them.
-constexpr double kOfOne = 1 / kSlipRatio;         // 2/7
-constexpr double kOfBoth = 1 / (1 + kSlipRatio);  // 2/9
-
 constexpr double kHiddenHop = 1e-13;   // of the size of the coordinates
 constexpr double kEndingSlip = 1e-10;  // of the same, for about the way that it goes on
 
+/// The impulses that stop the slips give the other three what such friction would.
 Cornered withoutSlip(Cornered now, std::uint32_t rolling) {
   if (rolling == kCorner)
-    return {now.place, now.speed - kOfBoth * (now.wallSlip + now.groundSlip), 0, 0, 0};
+    return {now.place, now.speed - kHoldingBoth * (now.wallSlip + now.groundSlip), 0, 0, 0};
   if (rolling == kWall)
-    return {now.place, now.speed - kOfOne * now.wallSlip, 0, now.groundSlip - kOfOne * now.wallSlip,
-            0};
+    return {now.place, now.speed - kHolding * now.wallSlip, 0,
+            now.groundSlip - kHolding * now.wallSlip, 0};
   if (rolling == kGround)
-    return {now.place, now.speed - kOfOne * now.groundSlip, now.wallSlip - kOfOne * now.groundSlip,
-            0, 0};
+    return {now.place, now.speed - kHolding * now.groundSlip,
+            now.wallSlip - kHolding * now.groundSlip, 0, 0};
   return now;
 }
 

@@ -9,8 +9,6 @@
 namespace wells {
 namespace {
 
-constexpr double kAcross = 1 / kInertiaFactor;                   // b' of friction across, 5/2
-constexpr double kHoldingBoth = 1 / (1 + kSlipRatio);            // on each of two, 2/9
 constexpr double kSlipRatioOfOne = kSlipRatio - 1 / kSlipRatio;  // beside one that rolls, 45/14
 constexpr double kFreeShare = 1 - kHolding;                      // of A_x, beside one that rolls
 constexpr double kStill = 1e-9;    // of the load: a rate that rounding may have made
@@ -154,7 +152,7 @@ Cornered CornerMotion::rateUnder(const Cornered& now, const Load& load,
   if (!rollsOn(kGround))
     rate.groundSlip = load.pull + f + kSlipRatio * g - load.turning * now.across;
   if (path_.rolling == kNoSurface)
-    rate.across = kAcross * (on.wallFriction.y + on.groundFriction.y) +
+    rate.across = kSpinning * (on.wallFriction.y + on.groundFriction.y) +
                   load.turning * (now.groundSlip - now.speed);
   return rate;
 }

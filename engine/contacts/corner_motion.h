@@ -20,8 +20,7 @@
 // long as some share holds in which neither works against the other, 0 <= f_y <= 2/5 k v^2.
 #pragma once
 
-#include "contacts/path.h"
-#include "contacts/surface.h"
+#include "contacts/held_motion.h"
 
 namespace wells {
 
@@ -60,6 +59,9 @@ enum class CornerEnd : std::uint8_t {
   GripsGround,
   GripsWall
 };
+
+inline constexpr double kHoldingBoth =
+    1 / (1 + kSlipRatio);  // friction that rolling takes over A_x, of each
 
 class CornerMotion {
  public:

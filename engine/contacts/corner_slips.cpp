@@ -11,7 +11,6 @@
 namespace wells {
 namespace {
 
-constexpr double kAcross = 1 / kInertiaFactor;  // b' of friction across, 5/2
 constexpr double kFiner = 1.0 / 16;  // than on one surface: a slip here may begin very slowly
 
 // Of Newton's method, rad:
@@ -25,7 +24,7 @@ constexpr int kMostTurns = 40;
 /// suffices that holds the contact, |d| <= 1 for lambda = 0, the opposite of that.
 Flat beginningOf(Flat pull, double m, double c) {
   const auto at = [&](double lambda) -> Flat {
-    const double y = pull.y / (kAcross * m + lambda);
+    const double y = pull.y / (kSpinning * m + lambda);
     return {(pull.x - m * c * y) / (kSlipRatio * m + lambda), y};
   };
   if (!(length(pull) > 0)) return {};

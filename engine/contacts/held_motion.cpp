@@ -7,7 +7,6 @@ namespace wells {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kSpinning = kSlipRatio - 1;  // c' over f
 constexpr double kSlipNoise = 1e-10;
 
 Surface surfaceOf(const PathModel& model, const Path& path) {

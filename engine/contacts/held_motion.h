@@ -145,7 +145,8 @@ inline constexpr double kFollowingShare = 1.0 / 256;  // of the slip that fricti
 inline constexpr double kShortestPart = 1.0 / 256;    // of a stretch: bounds the work
 inline constexpr double kBeginning = 1.0 / 64;  // of a stretch, after which it must have begun
 
-inline constexpr double kSlipRatio = 1 + 1 / kInertiaFactor;  // u' over v' of friction, 7/2
-inline constexpr double kHolding = 1 / kSlipRatio;            // friction that rolling takes over P
+inline constexpr double kSpinning = 1 / kInertiaFactor;  // c' over f, 5/2
+inline constexpr double kSlipRatio = 1 + kSpinning;      // u' over v' of friction, 7/2
+inline constexpr double kHolding = 1 / kSlipRatio;       // friction that rolling takes over P
 
 }  // namespace wells

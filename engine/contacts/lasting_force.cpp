@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "contacts/sequential_impulses.h"
-
 namespace wells {
 namespace {
 

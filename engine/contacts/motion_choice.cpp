@@ -20,7 +20,7 @@ bool canRoll(const Limits& limits, const Load& load, Flat direction) {
   Flat pull = load.slipPull;
   const double size = length(direction);
   if (limits.resistance > 0 && size > 0)
-    pull = pull + (kSlipRatio - 1) * limits.resistance / size * direction;
+    pull = pull + kSpinning * limits.resistance / size * direction;
   return kHolding * length(pull) <= limits.friction;
 }
 

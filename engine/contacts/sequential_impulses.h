@@ -53,7 +53,8 @@ struct ResolvedCounts {
 ///    the rolling part of the relative angular velocity to rest if its impulse need not be more
 ///    than settings.rollingResistance times the normal impulse, else it has that size;
 /// and positions so that a force of contact acts over the substep as a constant force would, and
-/// what overlap remains is pushed out. Push-out changes no velocity.
+/// what overlap remains is pushed out, but for a little in islands that are not solved directly.
+/// Push-out changes no velocity.
 /// `booking` may be null. Starts from the impulses that `contacts` hold from the substep before
 /// (zero is fine) and leaves the new ones there.
 ResolvedCounts resolveContacts(const Settings& settings, const Arena& arena, double h,
@@ -61,12 +62,10 @@ ResolvedCounts resolveContacts(const Settings& settings, const Arena& arena, dou
                                Balls& balls, ContactWorkspace& workspace,
                                const SubstepBooks* booking = nullptr);
 
-inline constexpr double kRestFactor = 2;
-
-/// Islands of up to this many contacts are solved directly. In heaps of 10 and 25 balls about a
-/// well 16 were always solved, within 1.1 ms a step at the worst; of 24, all but 37 of some
-/// thousand, within 7 ms; of 32, half were not, at 10 ms a step in the mean. Such heaps have more
-/// contacts than balls have freedoms.
+/// Islands of up to this many contacts are solved directly, unless something bounces in them. In
+/// heaps of 10 and 25 balls about a well 16 were always solved, within 1.1 ms a step at the worst;
+/// of 24, all but 37 of some thousand, within 7 ms; of 32, half were not, at 10 ms a step in the
+/// mean. Such heaps have more contacts than balls have freedoms.
 inline constexpr std::size_t kMostDirect = 24;
 
 }  // namespace wells

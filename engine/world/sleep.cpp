@@ -87,13 +87,17 @@ void Sleep::wakeAll(const World& world, ContactMemory& memory) {
   position_.resize(size);
   acceleration_.resize(size);
   isGhost_.resize(size);
+  makeRoom(size);
+  awake_.resize(size);
+  std::iota(awake_.begin(), awake_.end(), 0u);
+}
+
+void Sleep::makeRoom(std::size_t size) {
   isPressed_.resize(size);
   speed_.resize(size);
   ahead_.resize(size);
   island_.resize(size);
   rest_.resize(size);
-  awake_.resize(size);
-  std::iota(awake_.begin(), awake_.end(), 0u);
 }
 
 void Sleep::wakeChanged(const World& world) {
@@ -351,11 +355,7 @@ void Sleep::restore(const StepperMemory::Rest& rest, ContactMemory& contacts) {
   acceleration_ = rest.acceleration;
   isGhost_ = rest.isGhost;
   const std::size_t size = group_.size();
-  isPressed_.resize(size);
-  speed_.resize(size);
-  ahead_.resize(size);
-  island_.resize(size);
-  rest_.resize(size);
+  makeRoom(size);
   for (std::uint32_t i = 0; i < size; ++i) {
     if (group_[i] == kAwake)
       awake_.push_back(i);

@@ -89,6 +89,8 @@ class Sleep {
     double slack;  // m
   };
 
+  /// Of the scratch.
+  void makeRoom(std::size_t size);
   void wakeAll(const World& world, ContactMemory& memory);
   void wakeChanged(const World& world);
   void wakePulled(const World& world, const Field& field);

@@ -1,4 +1,5 @@
-// One step of the classical Runge-Kutta method for a body whose rates are known.
+// How a body moves whose rates are known: a step of the classical Runge-Kutta method, and the
+// search for the time at which something ends.
 #pragma once
 
 #include "support/event_driven.h"
@@ -24,6 +25,20 @@ Body stepBody(const Body& b, Real h, RateOf rateOf) {
   };
   return moved(
       {sum(k1.x, k2.x, k3.x, k4.x), sum(k1.v, k2.v, k3.v, k4.v), sum(k1.w, k2.w, k3.w, k4.w)}, h);
+}
+
+/// Moves the ball by step(body, time) to the last time (s) within h at which lasts(body), and
+/// returns it.
+template <class Lasts, class Step>
+Real goToLast(Body& ball, Real h, Lasts lasts, Step step) {
+  const Body start = ball;
+  Real low = 0, high = h;
+  for (int i = 0; i < 70; ++i) {
+    const Real middle = (low + high) / 2;
+    (lasts(step(start, middle)) ? low : high) = middle;
+  }
+  ball = step(start, low);
+  return low;
 }
 
 }  // namespace wells::oracle

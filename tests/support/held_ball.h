@@ -169,17 +169,9 @@ class HeldBall {
     return 2.0L / 7 * size(slipForce(b) + resisted(b)) <= mu_ * pressing(b);
   }
 
-  /// Moves the ball to the last time within h at which `lasts`, and returns it.
   template <class Lasts>
   Real goTo(Body& ball, Real h, Lasts lasts) const {
-    const Body start = ball;
-    Real low = 0, high = h;
-    for (int i = 0; i < 70; ++i) {
-      const Real middle = (low + high) / 2;
-      (lasts(step(start, middle)) ? low : high) = middle;
-    }
-    ball = step(start, low);
-    return low;
+    return goToLast(ball, h, lasts, [&](const Body& b, Real s) { return step(b, s); });
   }
 
   Support support_;
