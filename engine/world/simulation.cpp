@@ -215,7 +215,13 @@ class Simulation : public Stepper {
   }
 
   void planContacts(const World& world) {
-    candidates_.find(world, reach_, sleep_.awake(), plan_.ballContacts, plan_.arenaContacts);
+    candidates_.find(world, reach_, sleep_.awake());
+    const auto fill = [](std::span<const BallPair> pairs, std::vector<Contact>& contacts) {
+      contacts.clear();
+      for (const auto& [a, b] : pairs) contacts.push_back({.a = a, .b = b});
+    };
+    fill(candidates_.ballPairs(), plan_.ballContacts);
+    fill(candidates_.arenaPairs(), plan_.arenaContacts);
     counts_.candidatePairs = candidates_.pairs();
     counts_.contacts =
         static_cast<std::int64_t>(plan_.ballContacts.size() + plan_.arenaContacts.size());

@@ -15,7 +15,9 @@ namespace {
 /// Of all that holds for every ball alike and may be changed between two steps.
 std::uint64_t conditionsOf(const World& world) {
   const auto& [dt, gravity, drag, elasticity, friction, rollingResistance, integrator,
-               contactMethod, substeps, iterations, mostImpacts, sleepSpeed] = world.settings;
+               contactMethod, substeps, iterations, mostImpacts, sleepSpeed, broadphase] =
+      world.settings;
+  static_cast<void>(broadphase);  // changes no result
   Hash hash;
   for (const double number : {dt, drag, elasticity, friction, rollingResistance, sleepSpeed})
     hash.add(number);
@@ -280,14 +282,11 @@ void Sleep::findIslands(const World& world, const Field& field, const Candidates
   // As wakeAhead() has it: an island whose neighbour stays awake would wake at once.
   for (const std::uint32_t i : awake_)
     ahead_[i] = (length(balls.velocity[i]) + pullOf(field, balls.position[i], dt)) * dt;
-  for (const std::uint64_t pair : candidates.ballPairs()) {
-    const auto a = static_cast<std::uint32_t>(pair >> 32);
-    const auto b = static_cast<std::uint32_t>(pair);
+  for (const auto& [a, b] : candidates.ballPairs()) {
     const double bound = balls.radius[a] + balls.radius[b] + std::max(ahead_[a], ahead_[b]);
     if (squaredLength(balls.position[b] - balls.position[a]) <= bound * bound) join(a, b);
   }
-  for (const std::uint64_t pair : candidates.leaningPairs())
-    join(static_cast<std::uint32_t>(pair >> 32), static_cast<std::uint32_t>(pair));
+  for (const auto& [a, b] : candidates.leaningPairs()) join(a, b);
 
   for (const std::uint32_t i : awake_) rest_[i] = {};
   const std::uint32_t needed = restSteps(dt);
