@@ -6,6 +6,7 @@
 #include <array>
 
 #include "flight/fly_each-inl.h"
+#include "math/components.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace wells::HWY_NAMESPACE {
@@ -52,28 +53,20 @@ class Block {
 
   FlightArrays take(std::span<const std::uint32_t> balls, const Vec3* position,
                     const Vec3* velocity) {
-    for (std::size_t k = 0; k < balls.size(); ++k) {
-      for (int axis = 0; axis < 3; ++axis) {
-        component_[axis][k] = position[balls[k]][axis];
-        component_[axis + 3][k] = velocity[balls[k]][axis];
-      }
-    }
-    auto& c = component_;
-    return {c[0].data(), c[1].data(), c[2].data(), c[3].data(),
-            c[4].data(), c[5].data(), balls.size()};
+    toComponents(balls, position, x_.data(), y_.data(), z_.data());
+    toComponents(balls, velocity, vx_.data(), vy_.data(), vz_.data());
+    return {x_.data(), y_.data(), z_.data(), vx_.data(), vy_.data(), vz_.data(), balls.size()};
   }
 
   void giveBack(std::span<const std::uint32_t> balls, Vec3* position, Vec3* velocity) const {
-    for (std::size_t k = 0; k < balls.size(); ++k) {
-      for (int axis = 0; axis < 3; ++axis) {
-        position[balls[k]][axis] = component_[axis][k];
-        velocity[balls[k]][axis] = component_[axis + 3][k];
-      }
-    }
+    fromComponents(balls, x_.data(), y_.data(), z_.data(), position);
+    fromComponents(balls, vx_.data(), vy_.data(), vz_.data(), velocity);
   }
 
  private:
-  std::array<std::array<double, kSize>, 6> component_;
+  using Component = std::array<double, kSize>;
+  Component x_, y_, z_;     // m
+  Component vx_, vy_, vz_;  // m/s
 };
 
 }  // namespace
