@@ -33,8 +33,9 @@ constexpr double kDeepest<ArenaPartner> = 0.99;
 constexpr double kLeftOverlap = 1e-3;
 
 // An island moves, and does not rest or nearly so, where the centres of two of its balls pass each
-// other faster than this many times the speed which forces gave one of them within the substep.
-constexpr double kMoving = 10;
+// other faster than this many times the speed which forces gave one of them within the substep. Of
+// what rests it is at most twice.
+constexpr double kMoving = 3;
 
 // Passes that an island without impacts that does not move is given until it is solved, if the
 // settings give fewer: there impulses last, and what one substep finds serves the next. Until then
@@ -58,14 +59,23 @@ void turnToMiddle(const Arena& arena, double h, const Balls& balls, Contact& c) 
   if (size > 0) c.normal = middle / size;
 }
 
-/// m/s along the normal that the forces of the substep gave one of the two balls. The other may be
-/// held, so this is what they can explain of a closing speed.
+/// m/s that the forces of the substep gave the two balls.
+struct Pulled {
+  Vec3 a;
+  Vec3 b;
+
+  /// Of one ball: the other may be held, so this is what they can explain of a speed.
+  double along(const Vec3& normal) const {
+    return std::max(std::abs(dot(a, normal)), std::abs(dot(b, normal)));
+  }
+  double squared() const { return std::max(squaredLength(a), squaredLength(b)); }
+};
+
 template <class Partner>
-double pulledSpeed(const Vec3* velocityBefore, const Balls& balls, const Contact& c) {
+Pulled pulledSpeeds(const Vec3* velocityBefore, const Balls& balls, const Contact& c) {
   const Vec3* const velocity = balls.velocity.data();
-  const Vec3 a = velocity[c.a] - velocityBefore[c.a];
-  const Vec3 b = Partner::velocity(velocity, c) - Partner::velocity(velocityBefore, c);
-  return std::max(std::abs(dot(a, c.normal)), std::abs(dot(b, c.normal)));
+  return {velocity[c.a] - velocityBefore[c.a],
+          Partner::velocity(velocity, c) - Partner::velocity(velocityBefore, c)};
 }
 
 /// Geometry, and whether the contact acts: where it touches; where it rested in the substep before,
@@ -77,15 +87,17 @@ void findTouch(const Arena& arena, double h, const Vec3* velocityBefore, const B
   Partner::touch(arena, balls, c);
   c.isSmall = false;
   c.isSolved = false;
-  const double closing = closingSpeed<Partner>(balls.velocity.data(), c);
-  const double pulled = pulledSpeed<Partner>(velocityBefore, balls, c);
+  const Vec3* const velocity = balls.velocity.data();
+  const Vec3 passing = velocity[c.a] - Partner::velocity(velocity, c);
+  const double closing = dot(passing, c.normal);
+  const Pulled pulls = pulledSpeeds<Partner>(velocityBefore, balls, c);
+  const double pulled = pulls.along(c.normal);
   c.isSlow = closing <= kRestFactor * pulled;
   const double near = kNear * balls.radius[c.a];
   const double fall = pulled * h / 2;
   c.isPulled = pulled > 0;
   c.isCoarse = fall > near;
-  const Vec3* const velocity = balls.velocity.data();
-  c.isMoving = length(velocity[c.a] - Partner::velocity(velocity, c)) > kMoving * pulled;
+  c.isMoving = squaredLength(passing) > kMoving * kMoving * pulls.squared();
   c.restedImpulse = c.impact || c.isCoarse || c.gap > near ? 0 : c.normalImpulse;
   c.acts = c.gap <= kClosedGap * sizeOf(arena, balls, c) || c.restedImpulse > 0 ||
            (!c.isCoarse && c.isSlow && c.gap <= fall);
