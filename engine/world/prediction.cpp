@@ -36,10 +36,8 @@ class LoneBall {
       const IslandFate fate =
           exact_.run(input, {&kBall, 1}, plan_.arenaContacts, {&reach_, 1}, ball);
       if (fate == IslandFate::TooFar && attempts <= kMostExactAttempts) return false;
-      if (fate == IslandFate::Done) {
-        plan_.arenaContacts.clear();
-        return true;
-      }
+      if (fate == IslandFate::Done || fate == IslandFate::Alone) plan_.arenaContacts.clear();
+      if (fate == IslandFate::Done) return true;
     }
     memory_.start(plan_.ballContacts, plan_.arenaContacts, substep_, [](const Contact&) {});
     plan_.free.clear();

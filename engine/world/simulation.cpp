@@ -90,6 +90,7 @@ class Simulation : public Stepper {
     stepsInSubsteps_.resize(balls, 0);
     nextStepsInSubsteps_.resize(balls, 0);
     isDone_.resize(balls);
+    isAlone_.resize(balls);
     isTouching_.resize(balls);
   }
 
@@ -188,6 +189,11 @@ class Simulation : public Stepper {
         continue;
       }
       if (fate == IslandFate::TooMany && method_ == ContactMethod::Exact) giveUp(world, island);
+      if (fate == IslandFate::Alone) {
+        for (const std::uint32_t i : island) isAlone_[i] = 1;
+        counts_.exactBalls += static_cast<std::int64_t>(island.size());
+        continue;
+      }
       if (fate != IslandFate::Done) {
         ++counts_.handedOver;
         if (island.size() > kCrowd)
@@ -201,7 +207,7 @@ class Simulation : public Stepper {
       counts_.exactBalls += static_cast<std::int64_t>(island.size());
     }
     if (!isComplete) return false;
-    const auto isDone = [&](const Contact& c) { return isDone_[c.a] != 0; };
+    const auto isDone = [&](const Contact& c) { return isDone_[c.a] || isAlone_[c.a]; };
     std::erase_if(plan_.ballContacts, isDone);
     std::erase_if(plan_.arenaContacts, isDone);
     return true;
@@ -229,7 +235,8 @@ class Simulation : public Stepper {
     counts_.candidatePairs = candidates_.pairs();
     counts_.contacts =
         static_cast<std::int64_t>(plan_.ballContacts.size() + plan_.arenaContacts.size());
-    for (const std::uint32_t i : sleep_.awake()) isDone_[i] = nextStepsInSubsteps_[i] = 0;
+    for (const std::uint32_t i : sleep_.awake())
+      isDone_[i] = isAlone_[i] = nextStepsInSubsteps_[i] = 0;
   }
 
   void startFromOldImpulses(const World& world) {
@@ -285,8 +292,9 @@ class Simulation : public Stepper {
   Field field_;
   // By ball; only those of balls that are awake are valid.
   std::vector<BallState> start_;
-  std::vector<double> reach_;         // m
-  std::vector<std::uint8_t> isDone_;  // moved by events
+  std::vector<double> reach_;          // m
+  std::vector<std::uint8_t> isDone_;   // moved by events
+  std::vector<std::uint8_t> isAlone_;  // may touch something, but does not
   std::vector<std::uint8_t> isTouching_;
   std::vector<std::uint8_t> nextStepsInSubsteps_;
   Islands islands_;
