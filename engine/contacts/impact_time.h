@@ -39,4 +39,10 @@ Encounter encounterOfBalls(const PathModel& model, const Path& a, const Path& b,
 Encounter encounterWithArena(const PathModel& model, const Path& ball, std::uint32_t partner,
                              double from, double until);
 
+/// True where it is certain that ball a, in flight from the start of the step, does not meet b (a
+/// ball in flight, kGround or kWall) for `duration` seconds: the first look of a search that then
+/// ends. pull[i]: the accelerationBound() of ball i.
+bool staysApart(const PathModel& model, const Balls& balls, const double* pull, std::uint32_t a,
+                std::uint32_t b, double duration);
+
 }  // namespace wells

@@ -34,6 +34,7 @@ bool anyOverlaps(const Arena& arena, std::span<const BallPair> pairs, const Ball
 IslandFate ExactFlight::run(const StepInput& in, std::span<const std::uint32_t> island,
                             std::span<const BallPair> pairs, std::span<double> reach,
                             Balls& balls) {
+  if (!mayMeet(in, island, pairs, balls)) return IslandFate::Alone;
   if (anyOverlaps(*in.model.arena, pairs, balls)) return IslandFate::Sustained;
   begin(in, island, pairs, balls);
   IslandFate fate = simulate(in, pairs, reach, balls);
@@ -50,6 +51,23 @@ IslandFate ExactFlight::run(const StepInput& in, std::span<const std::uint32_t> 
       balls.setState(i, start_[i]);
   }
   return fate;
+}
+
+bool ExactFlight::mayMeet(const StepInput& in, std::span<const std::uint32_t> island,
+                          std::span<const BallPair> pairs, const Balls& balls) {
+  const double dt = in.settings.dt;
+  pull_.resize(balls.size());
+  for (const std::uint32_t i : island) {
+    const BallState ball = balls.state(i);
+    pull_[i] = accelerationBound(in.model, {ball, 0, balls.radius[i]}, ball, 0, dt);
+  }
+  mayMeet_.resize(pairs.size());
+  bool any = false;
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    mayMeet_[p] = !staysApart(in.model, balls, pull_.data(), pairs[p].a, pairs[p].b, dt);
+    any = any || mayMeet_[p];
+  }
+  return any;
 }
 
 void ExactFlight::begin(const StepInput& in, std::span<const std::uint32_t> island,
@@ -98,8 +116,13 @@ void ExactFlight::begin(const StepInput& in, std::span<const std::uint32_t> isla
 
 IslandFate ExactFlight::simulate(const StepInput& in, std::span<const BallPair> pairs,
                                  std::span<double> reach, Balls& balls) {
-  for (std::uint32_t p = 0; p < pairs.size(); ++p)
+  const auto flies = [&](std::uint32_t i) {
+    return !isBall(i) || path_[i].motion == Motion::Flying;
+  };
+  for (std::uint32_t p = 0; p < pairs.size(); ++p) {
+    if (!mayMeet_[p] && flies(pairs[p].a) && flies(pairs[p].b)) continue;
     if (!foresee(in, pairs, p)) return IslandFate::Sustained;
+  }
 
   while (!events_.empty()) {
     std::pop_heap(events_.begin(), events_.end(), later);

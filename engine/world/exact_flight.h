@@ -30,6 +30,7 @@ struct StepInput {
 
 enum class IslandFate : std::uint8_t {
   Done,       // the balls are at the end of the step
+  Alone,      // nothing meets: all fly through the step as if each were alone
   Sustained,  // a contact lasts, or inelastic impacts pile up: for the solver of lasting contacts
   TooFar,     // a ball left its reach, so pairs may be missing: enlarge it and start again
   TooMany     // more elastic impacts than settings.mostImpacts
@@ -70,8 +71,8 @@ class ExactFlight {
  public:
   /// Advances the balls of an island, with all pairs that may meet in the step, by
   /// settings.dt. `balls` holds states at the start, and at the end of the step if Done; else
-  /// it is unchanged. reach[i] (m) is how far ball i may move for `pairs` to be complete; where
-  /// TooFar is returned, it has been enlarged.
+  /// it is unchanged (also if Alone: many flights at once cost less). reach[i] (m) is how far ball
+  /// i may move for `pairs` to be complete; where TooFar is returned, it has been enlarged.
   IslandFate run(const StepInput& in, std::span<const std::uint32_t> island,
                  std::span<const BallPair> pairs, std::span<double> reach, Balls& balls);
 
@@ -94,6 +95,9 @@ class ExactFlight {
 
   static bool later(const Event& x, const Event& y);
 
+  /// Sets mayMeet_ as all fly from the start of the step. False: no pair may.
+  bool mayMeet(const StepInput& in, std::span<const std::uint32_t> island,
+               std::span<const BallPair> pairs, const Balls& balls);
   void begin(const StepInput& in, std::span<const std::uint32_t> island,
              std::span<const BallPair> pairs, const Balls& balls);
   IslandFate simulate(const StepInput& in, std::span<const BallPair> pairs, std::span<double> reach,
@@ -148,11 +152,13 @@ class ExactFlight {
   std::vector<std::uint32_t> version_;  // rises at each event of the ball
   std::vector<std::uint32_t> firstPair_;
   std::vector<std::uint32_t> pairCount_;
+  std::vector<double> pull_;  // m/s^2, bound for the step
   // By island.
   std::vector<std::uint32_t> pairsOf_;
   std::vector<Event> events_;  // heap, earliest first
   std::vector<Contact> cluster_;
   std::vector<std::uint32_t> clusterBalls_;
+  std::vector<std::uint8_t> mayMeet_;      // by pair of the island, before anything is hit
   std::vector<std::uint8_t> inCluster_;    // by pair of the island
   std::vector<std::uint8_t> isInCluster_;  // by ball
   ExactCounts counts_;

@@ -37,10 +37,8 @@ class LoneBall {
     if (method != ContactMethod::Substep && !pairs_.empty()) {
       const IslandFate fate = exact_.run(input, {&kBall, 1}, pairs_, {&reach_, 1}, ball);
       if (fate == IslandFate::TooFar && attempts <= kMostExactAttempts) return false;
-      if (fate == IslandFate::Done) {
-        plan_.arenaContacts.clear();
-        return true;
-      }
+      if (fate == IslandFate::Done || fate == IslandFate::Alone) plan_.arenaContacts.clear();
+      if (fate == IslandFate::Done) return true;
     }
     for (Contact& c : plan_.arenaContacts) memory_.start(c, substep_);
     plan_.free.clear();
