@@ -1,0 +1,19 @@
+// Where threads run and what they are called, as the system sees them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace wells {
+
+/// The cores on which this thread may run (the system counts logical ones, from 0), rising.
+std::vector<int> allowedCores();
+
+/// From now on this thread, and those that it starts, run on `core` only. False: the system does
+/// not let it.
+bool pinThisThread(int core);
+
+/// For top -H and debuggers; what is longer than 15 bytes is cut.
+void nameThisThread(const std::string& name);
+
+}  // namespace wells
