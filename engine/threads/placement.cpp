@@ -15,11 +15,13 @@ std::vector<int> allowedCores() {
   return cores;
 }
 
-bool pinThisThread(int core) {
-  if (core < 0 || core >= CPU_SETSIZE) return false;
+bool pinThisThread(std::span<const int> cores) {
   cpu_set_t set;
   CPU_ZERO(&set);
-  CPU_SET(core, &set);
+  for (const int core : cores) {
+    if (core < 0 || core >= CPU_SETSIZE) return false;
+    CPU_SET(core, &set);
+  }
   return ::pthread_setaffinity_np(::pthread_self(), sizeof set, &set) == 0;
 }
 

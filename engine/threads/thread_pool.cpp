@@ -19,22 +19,19 @@ int checked(int threads) {
 }
 
 // Whoever spins for a thread that has no processor of its own keeps it from running.
-int spinsFor(int threads, const std::vector<int>& cores) {
-  const std::size_t places = cores.empty() ? allowedCores().size() : cores.size() + 1;
-  return places < static_cast<std::size_t>(threads) ? 0 : kSpins;
+int spinsFor(int threads) {
+  if (threads == 1) return 0;
+  return allowedCores().size() < static_cast<std::size_t>(threads) ? 0 : kSpins;
 }
 
 }  // namespace
 
-ThreadPool::ThreadPool(ThreadPoolOptions options)
-    : threads_(checked(options.threads)),
-      cores_(std::move(options.cores)),
-      spins_(spinsFor(threads_, cores_)),
-      barrier_(threads_, spins_) {
+ThreadPool::ThreadPool(int threads)
+    : threads_(checked(threads)), spins_(spinsFor(threads_)), barrier_(threads_, spins_) {
   workers_.reserve(static_cast<std::size_t>(threads_ - 1));
   try {
     for (int thread = 1; thread < threads_; ++thread)
-      workers_.emplace_back([this, thread] { enter(thread); });
+      workers_.emplace_back([this, thread] { work(thread); });
   } catch (...) {
     stop();
     throw;
@@ -66,13 +63,8 @@ void ThreadPool::start(Job job) {
   std::rethrow_exception(std::exchange(failure_, nullptr));
 }
 
-void ThreadPool::enter(int thread) {
-  nameThisThread(fmt::format("simulation {}", thread + 1));
-  if (!cores_.empty()) pinThisThread(cores_[static_cast<std::size_t>(thread - 1) % cores_.size()]);
-  work(thread);
-}
-
 void ThreadPool::work(int thread) {
+  nameThisThread(fmt::format("simulation {}", thread + 1));
   for (std::uint32_t seen = 0;; ++seen) {
     waitWhileEqual(jobs_, seen, spins_);
     if (isStopping_) return;

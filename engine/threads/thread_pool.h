@@ -36,16 +36,12 @@ constexpr IndexRange partOf(std::size_t count, std::size_t grain, std::size_t pa
           std::min(count, grains * (part + 1) / parts * grain)};
 }
 
-struct ThreadPoolOptions {
-  int threads = 1;           // 1 to kMostThreads, the caller's among them; 1 makes none
-  std::vector<int> cores{};  // on which the others run, in turn; empty: wherever the system likes
-};
-
 class ThreadPool {
  public:
-  /// Of one thread all calls are plain ones. Throws std::invalid_argument, or std::system_error
-  /// where a thread cannot be had.
-  explicit ThreadPool(ThreadPoolOptions options);
+  /// Of 1 to kMostThreads threads, the caller's among them; of one all calls are plain ones. The
+  /// others may run where the thread that makes the pool may. Throws std::invalid_argument, or
+  /// std::system_error where a thread cannot be had.
+  explicit ThreadPool(int threads = 1);
   ~ThreadPool();
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;
@@ -95,13 +91,11 @@ class ThreadPool {
   };
 
   void start(Job job);
-  void enter(int thread);
   void work(int thread);
   void take(int thread);
   void stop();
 
   const int threads_;
-  const std::vector<int> cores_;
   const int spins_;
   Job job_;
   bool isStopping_ = false;

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
+#include "threads/thread_pool.h"
 #include "world/advance.h"
 #include "world/book_keeper.h"
 #include "world/candidates.h"
@@ -21,6 +23,8 @@ namespace {
 
 class Simulation : public Stepper {
  public:
+  explicit Simulation(const SimulationOptions& options) : options_(options) {}
+
   std::string name() const override { return "ours"; }
   std::string integrator() const override {
     return integrator_ ? std::string(integrator_->name) : "";
@@ -44,7 +48,8 @@ class Simulation : public Stepper {
     keeper_.beginStep(world, field_);
     sleep_.wakeAhead(world, field_, contactMemory_);
     makeRoom(world.balls.size());
-    for (const std::uint32_t i : sleep_.awake()) prepare(world, i);
+    chooseThreads();
+    prepareAll(world);
     method_ = methodOf(world.settings, field_, integrator);
     try {
       tryUntilComplete(world, integrator);
@@ -92,6 +97,22 @@ class Simulation : public Stepper {
     isTouching_.resize(balls);
   }
 
+  /// Those of several are started by the first step that has enough balls awake.
+  void chooseThreads() {
+    const bool areMany = sleep_.awake().size() >= options_.leastBallsForThreads;
+    if (areMany && options_.threads > 1 && !many_) many_.emplace(options_.threads);
+    pool_ = areMany && many_ ? &*many_ : &one_;
+  }
+
+  void prepareAll(const World& world) {
+    const auto awake = sleep_.awake();
+    pool_->forRanges(awake.size(), kLeastRange,
+                     [&](std::size_t begin, std::size_t end, std::size_t) {
+                       for (const std::uint32_t i : awake.subspan(begin, end - begin))
+                         prepare(world, i);
+                     });
+  }
+
   /// A ball whose state is not finite gets no reach: it is in no pair and is not moved.
   void prepare(const World& world, std::uint32_t i) {
     start_[i] = world.balls.state(i);
@@ -109,6 +130,7 @@ class Simulation : public Stepper {
     counts_ = {};
     stepBooks_ = {};
     counts_.flightStretches = field_.stretches;
+    counts_.threads = pool_->threads();
     planContacts(world);
     const StepInput input(world, field_, integrator);
     const bool mayHandOver = attempts > kMostExactAttempts && !isLossless(world.settings);
@@ -117,7 +139,7 @@ class Simulation : public Stepper {
     startFromOldImpulses(world);
     planFlights();
     counts_.substepBalls = static_cast<std::int64_t>(plan_.touching.size());
-    const ResolvedCounts resolved = advance(world.settings, input.model, plan_, world.balls,
+    const ResolvedCounts resolved = advance(world.settings, input.model, plan_, world.balls, *pool_,
                                             keeper_.books() ? &stepBooks_ : nullptr);
     counts_.directContacts = resolved.direct;
     counts_.unsolvedIslands = resolved.unsolved;
@@ -257,8 +279,12 @@ class Simulation : public Stepper {
     }
   }
 
-  static constexpr double kLateOverlap = 1e-6;  // of the sum of radii
+  static constexpr std::size_t kLeastRange = 256;  // balls, in which a thread prepares
+  static constexpr double kLateOverlap = 1e-6;     // of the sum of radii
 
+  const SimulationOptions options_;
+  ThreadPool one_;
+  std::optional<ThreadPool> many_;
   // Kept from step to step.
   Candidates candidates_;
   ContactMemory contactMemory_;
@@ -272,6 +298,7 @@ class Simulation : public Stepper {
   ContactMethod method_ = ContactMethod::Substep;
   mutable StepperMemory memory_;  // made when asked for
   // Of the step or the attempt at hand.
+  ThreadPool* pool_ = &one_;
   Field field_;
   // By ball; only those of balls that are awake are valid.
   std::vector<BallState> start_;
@@ -287,8 +314,8 @@ class Simulation : public Stepper {
 
 }  // namespace
 
-std::unique_ptr<Stepper> makeSimulation() {
-  return std::make_unique<Simulation>();
+std::unique_ptr<Stepper> makeSimulation(const SimulationOptions& options) {
+  return std::make_unique<Simulation>(options);
 }
 
 }  // namespace wells

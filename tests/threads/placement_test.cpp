@@ -24,10 +24,13 @@ TEST(Placement, PinsAThreadAndThoseThatItStarts) {
   ASSERT_FALSE(cores.empty());
   for (const int core : cores) {
     std::thread([&] {
-      ASSERT_TRUE(pinThisThread(core));
+      ASSERT_TRUE(pinThisThread({&core, 1}));
       EXPECT_EQ(allowedCores(), std::vector{core});
       EXPECT_EQ(::sched_getcpu(), core);
-      std::thread([&] { EXPECT_EQ(allowedCores(), std::vector{core}); }).join();
+      ThreadPool pool(3);
+      pool.run([&](int, Barrier&) { EXPECT_EQ(allowedCores(), std::vector{core}); });
+      EXPECT_TRUE(pinThisThread(cores));
+      EXPECT_EQ(allowedCores(), cores);
     }).join();
   }
   EXPECT_EQ(allowedCores(), cores) << "of the thread that started them";
@@ -35,9 +38,9 @@ TEST(Placement, PinsAThreadAndThoseThatItStarts) {
 
 TEST(Placement, DoesNotPinToCoresThatAreNotThere) {
   const std::vector<int> cores = allowedCores();
-  EXPECT_FALSE(pinThisThread(-1));
-  EXPECT_FALSE(pinThisThread(1 << 20));
-  EXPECT_FALSE(pinThisThread(CPU_SETSIZE - 1)) << "a machine of 1024 processors?";
+  for (const int core : {-1, 1 << 20, CPU_SETSIZE - 1})
+    EXPECT_FALSE(pinThisThread({&core, 1})) << core << ": a machine of 1024 processors?";
+  EXPECT_FALSE(pinThisThread({})) << "nowhere";
   EXPECT_EQ(allowedCores(), cores);
 }
 
@@ -50,13 +53,12 @@ TEST(Placement, NamesAThread) {
   }).join();
 }
 
-TEST(Placement, WorkersAreNamedAndTakeTheirCoresInTurn) {
-  const int last = allowedCores().back();
-  ThreadPool pool({.threads = 3, .cores = {last}});
+TEST(Placement, WorkersAreNamed) {
+  const std::string before = nameOfThisThread();
+  ThreadPool pool(3);
   pool.run([&](int thread, Barrier&) {
-    if (thread == 0) return;
-    EXPECT_EQ(allowedCores(), std::vector{last});
-    EXPECT_EQ(nameOfThisThread(), "simulation " + std::to_string(thread + 1));
+    EXPECT_EQ(nameOfThisThread(),
+              thread == 0 ? before : "simulation " + std::to_string(thread + 1));
   });
 }
 

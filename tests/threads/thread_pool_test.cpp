@@ -19,7 +19,7 @@ using namespace std::chrono_literals;
 
 class Pools : public testing::TestWithParam<int> {
  protected:
-  ThreadPool pool{{.threads = GetParam()}};
+  ThreadPool pool{GetParam()};
 };
 
 INSTANTIATE_TEST_SUITE_P(Of, Pools, testing::Values(1, 2, 3, 4, 13),
@@ -173,7 +173,7 @@ TEST_P(Pools, DoNotWaitAtTheBarrierForWhoHasThrown) {
 
 TEST(ThreadPool, OfOneStartsNoThread) {
   const auto caller = std::this_thread::get_id();
-  ThreadPool pool({.threads = 1});
+  ThreadPool pool(1);
   EXPECT_EQ(pool.threads(), 1);
   pool.run([&](int thread, Barrier& barrier) {
     EXPECT_EQ(thread, 0);
@@ -183,8 +183,8 @@ TEST(ThreadPool, OfOneStartsNoThread) {
 }
 
 TEST(ThreadPool, TwoWorkSideBySide) {
-  ThreadPool first({.threads = 2});
-  ThreadPool second({.threads = 3});
+  ThreadPool first(2);
+  ThreadPool second(3);
   int sum = 0;
   first.run([&](int thread, Barrier&) {
     if (thread == 1) return;
@@ -198,9 +198,9 @@ TEST(ThreadPool, TwoWorkSideBySide) {
 }
 
 TEST(ThreadPool, RefusesNumbersThatItCannotBeOf) {
-  EXPECT_THROW(ThreadPool({.threads = 0}), std::invalid_argument);
+  EXPECT_THROW(ThreadPool(0), std::invalid_argument);
   try {
-    ThreadPool pool({.threads = kMostThreads + 1});
+    ThreadPool pool(kMostThreads + 1);
     FAIL();
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(), "65 threads; allowed: 1 to 64");
