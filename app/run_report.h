@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "state/contact_shares.h"
+#include "thread_places.h"
 
 namespace wells {
 
@@ -31,7 +32,8 @@ struct RunReport {
   std::string integrator;
   std::string contacts;  // method
   double dt = 0;         // s
-  std::int64_t threads = 1;
+  int threads = 1;       // the most that a step ran on
+  ThreadPlaces places;
   std::optional<TrialReport> trial;
 
   std::int64_t steps = 0;    // the world's step at the end

@@ -15,14 +15,18 @@ std::vector<int> allowedCores() {
   return cores;
 }
 
-bool pinThisThread(std::span<const int> cores) {
+bool pinThread(std::thread::native_handle_type thread, std::span<const int> cores) {
   cpu_set_t set;
   CPU_ZERO(&set);
   for (const int core : cores) {
     if (core < 0 || core >= CPU_SETSIZE) return false;
     CPU_SET(core, &set);
   }
-  return ::pthread_setaffinity_np(::pthread_self(), sizeof set, &set) == 0;
+  return ::pthread_setaffinity_np(thread, sizeof set, &set) == 0;
+}
+
+bool pinThisThread(std::span<const int> cores) {
+  return pinThread(::pthread_self(), cores);
 }
 
 void nameThisThread(const std::string& name) {
