@@ -16,7 +16,7 @@
 
 namespace wells {
 
-/// Two balls, a < b.
+/// Two balls, a < b; or a ball a and kGround or kWall.
 struct BallPair {
   std::uint32_t a;
   std::uint32_t b;

@@ -100,10 +100,9 @@ void transferWorld(auto& bytes, auto& world) {
 }
 
 void transferContact(auto& bytes, auto& contact) {
-  auto& [a, b, impact, normalImpulse, tangentImpulse, rollingImpulse] = contact;
+  auto& [a, b, normalImpulse, tangentImpulse, rollingImpulse] = contact;
   bytes.field(a);
   bytes.field(b);
-  bytes.choice("impact of a contact", impact, 2);
   bytes.field(normalImpulse);
   bytes.field(tangentImpulse);
   bytes.field(rollingImpulse);
@@ -123,7 +122,7 @@ void transferRest(auto& bytes, auto& rest) {
 }
 
 void transferMemory(auto& bytes, auto& memory) {
-  constexpr std::size_t kContactSize = 4 + 4 + 1 + 8 + 24 + 24;
+  constexpr std::size_t kContactSize = 4 + 4 + 8 + 24 + 24;
   auto& [substep, ballContacts, arenaContacts, stepsInSubsteps, rest, carried] = memory;
   const auto transfer = [&](auto& contact) { transferContact(bytes, contact); };
   bytes.field(substep);

@@ -7,8 +7,8 @@
 namespace wells {
 
 void Candidates::find(const World& world, std::span<const double> reach,
-                      std::span<const std::uint32_t> among, std::vector<Contact>& balls,
-                      std::vector<Contact>& arena) {
+                      std::span<const std::uint32_t> among, std::vector<BallPair>& balls,
+                      std::vector<BallPair>& arena) {
   isLeaning_.resize(world.balls.size());
   for (const std::uint32_t i : among) isLeaning_[i] = 0;
   broadphase_.update(world, reach, among);
@@ -22,7 +22,7 @@ std::int64_t Candidates::pairs() const {
 }
 
 void Candidates::findBalls(const World& world, std::span<const double> reach,
-                           std::vector<Contact>& contacts) {
+                           std::vector<BallPair>& contacts) {
   const Balls& balls = world.balls;
   contacts.clear();
   sorted_.clear();
@@ -34,7 +34,7 @@ void Candidates::findBalls(const World& world, std::span<const double> reach,
       const double leaning = touching * (1 + kLeaningGap);
       if (squared >= leaning * leaning) continue;
       isLeaning_[pair.a] = isLeaning_[pair.b] = 1;
-      leaning_.push_back(std::uint64_t{pair.a} << 32 | pair.b);
+      leaning_.push_back(pair);
       continue;
     }
     const double bound = touching + reach[pair.a] + reach[pair.b];
@@ -45,10 +45,11 @@ void Candidates::findBalls(const World& world, std::span<const double> reach,
   for (const std::uint64_t pair : sorted_)
     contacts.push_back(
         {.a = static_cast<std::uint32_t>(pair >> 32), .b = static_cast<std::uint32_t>(pair)});
+  listed_ = contacts;
 }
 
 void Candidates::findArena(const World& world, std::span<const double> reach,
-                           std::vector<Contact>& contacts) {
+                           std::vector<BallPair>& contacts) {
   contacts.clear();
   const auto collect = [&](const std::vector<std::uint32_t>& near, std::uint32_t partner) {
     for (const std::uint32_t i : near)
@@ -58,12 +59,11 @@ void Candidates::findArena(const World& world, std::span<const double> reach,
   };
   collect(broadphase_.nearWall(), kWall);
   collect(broadphase_.nearGround(), kGround);
-  std::sort(contacts.begin(), contacts.end(), isBefore);
+  std::sort(contacts.begin(), contacts.end(), [](const BallPair& x, const BallPair& y) {
+    return x.a != y.a ? x.a < y.a : x.b < y.b;
+  });
   // A ball near two pieces of the wall stands twice.
-  contacts.erase(
-      std::unique(contacts.begin(), contacts.end(),
-                  [](const Contact& x, const Contact& y) { return x.a == y.a && x.b == y.b; }),
-      contacts.end());
+  contacts.erase(std::unique(contacts.begin(), contacts.end()), contacts.end());
 }
 
 }  // namespace wells
