@@ -18,6 +18,7 @@ pkg-config - finds libraries
 libbullet-dev - Bullet: broadphase, and the stock baseline
 libosmesa6-dev - OSMesa: renders without a screen
 libeigen3-dev - vectors and matrices
+libhwy-dev - Highway: vector instructions of several processors in one program
 libcli11-dev - options
 libfmt-dev - formatted text
 nlohmann-json3-dev - reports

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "broadphase/broadphase.h"
 #include "contacts/impact_time.h"
 #include "contacts/ledger.h"
 #include "state/world.h"
@@ -74,7 +75,7 @@ class ExactFlight {
   /// it is unchanged (also if Alone: many flights at once cost less). reach[i] (m) is how far ball
   /// i may move for `pairs` to be complete; where TooFar is returned, it has been enlarged.
   IslandFate run(const StepInput& in, std::span<const std::uint32_t> island,
-                 std::span<const Contact> pairs, std::span<double> reach, Balls& balls);
+                 std::span<const BallPair> pairs, std::span<double> reach, Balls& balls);
 
   /// From now on runs are booked.
   void openBooks() { keepsBooks_ = true; }
@@ -100,13 +101,13 @@ class ExactFlight {
   Flyer flyer(std::uint32_t i) const { return {&path_[i], pull_[i]}; }
   /// True where it is certain without following paths that the pair does not meet by the end of the
   /// step, as its balls move now.
-  bool stayApart(const StepInput& in, const Contact& pair) const;
+  bool stayApart(const StepInput& in, const BallPair& pair) const;
   /// As if all were in flight.
   void begin(const StepInput& in, std::span<const std::uint32_t> island, const Balls& balls);
   /// Looks who is held, and lists the pairs of each ball.
   void takeHold(const StepInput& in, std::span<const std::uint32_t> island,
-                std::span<const Contact> pairs, const Balls& balls);
-  IslandFate simulate(const StepInput& in, std::span<const Contact> pairs, std::span<double> reach,
+                std::span<const BallPair> pairs, const Balls& balls);
+  IslandFate simulate(const StepInput& in, std::span<const BallPair> pairs, std::span<double> reach,
                       Balls& balls);
   /// Moves all to the end of the step, which nothing disturbs any more.
   void endStep(const StepInput& in, std::span<const std::uint32_t> island, std::span<double> reach,
@@ -132,7 +133,7 @@ class ExactFlight {
   /// that rounding hides the hop.
   void endHops(const StepInput& in, double time, Balls& balls);
   /// Adds the next impact of pair p. False: its contact lasts.
-  bool foresee(const StepInput& in, std::span<const Contact> pairs, std::uint32_t p);
+  bool foresee(const StepInput& in, std::span<const BallPair> pairs, std::uint32_t p);
   /// Ball i has followed its path until t.
   void book(const StepInput& in, std::uint32_t i, double t, const Balls& balls);
   /// A surface may have taken hold of ball i, which had `before`.
@@ -140,9 +141,9 @@ class ExactFlight {
   void foreseeEndOfMotion(const StepInput& in, std::uint32_t ball);
   void add(const Event& event);
   /// Both for the cluster's balls and all their pairs.
-  bool foreseeCluster(const StepInput& in, std::span<const Contact> pairs);
-  bool isOutdated(std::span<const Contact> pairs, const Event& event) const;
-  void gatherCluster(const StepInput& in, std::span<const Contact> pairs, const Event& event,
+  bool foreseeCluster(const StepInput& in, std::span<const BallPair> pairs);
+  bool isOutdated(std::span<const BallPair> pairs, const Event& event) const;
+  void gatherCluster(const StepInput& in, std::span<const BallPair> pairs, const Event& event,
                      Balls& balls);
   /// Bound (m/s^2) on what presses a contact together.
   double pressingBound(const StepInput& in, double time, const Contact& c,
