@@ -37,12 +37,25 @@ class Simulation : public Stepper {
 
   const Books* books() const override { return keeper_.books(); }
 
+  bool openStageClock() override {
+    clock_ = std::make_unique<StageClock>();
+    plan_.workspace.clock = clock_.get();
+    return true;
+  }
+
+  const StageTimes* stageTimes() const override { return clock_ ? &clock_->times() : nullptr; }
+
   void step(World& world) override {
+    if (clock_) clock_->begin();
     const Integrator& integrator = findIntegrator(world.settings.integrator);
     updateField(world, world.step, field_);
+    StageScope stage(clock_.get(), Stage::Sleep);
     sleep_.begin(world, field_, contactMemory_);
+    stage.next(Stage::Books);
     keeper_.beginStep(world, field_);
+    stage.next(Stage::Sleep);
     sleep_.wakeAhead(world, field_, contactMemory_);
+    stage.next(Stage::Other);
     makeRoom(world.balls.size());
     for (const std::uint32_t i : sleep_.awake()) prepare(world, i);
     method_ = methodOf(world.settings, field_, integrator);
@@ -125,14 +138,18 @@ class Simulation : public Stepper {
   }
 
   void commit(World& world, const Integrator& integrator) {
+    StageScope stage(clock_.get(), Stage::Other);
     ++world.step;
     if (!world.roles.empty()) findLeaning(world);
+    stage.next(Stage::Prepare);
     contactMemory_.keep(plan_.ballContacts, plan_.arenaContacts, substepOf(world.settings));
     for (const std::uint32_t i : sleep_.awake()) stepsInSubsteps_[i] = nextStepsInSubsteps_[i];
     findQuarantined(world.balls);
+    stage.next(Stage::Sleep);
     sleep_.end(world, field_, candidates_, stepBooks_, contactMemory_);
     candidates_.remove(sleep_.fallenAsleep());
     counts_.asleep = static_cast<std::int64_t>(sleep_.asleep());
+    stage.next(Stage::Books);
     keeper_.endStep(world, field_, stepBooks_);
     integrator_ = &integrator;
   }
@@ -158,10 +175,12 @@ class Simulation : public Stepper {
 
   /// All islands that go by exact impacts. False: reaches were too short and have been enlarged.
   bool moveByEvents(const StepInput& input, WhenTooFar whenTooFar, World& world) {
+    StageScope stage(clock_.get(), Stage::Islands);
     bool isComplete = true;
     Balls& balls = world.balls;
     const auto isLeaning = candidates_.isLeaning();
     islands_.find(plan_.ballContacts, plan_.arenaContacts, sleep_.awake());
+    stage.next(Stage::Exact);
     for (std::size_t n = 0; n < islands_.count(); ++n) {
       const auto island = islands_.balls(n);
       if (std::any_of(island.begin(), island.end(), [&](auto i) { return isLeaning[i] != 0; }))
@@ -215,6 +234,7 @@ class Simulation : public Stepper {
   }
 
   void planContacts(const World& world) {
+    const StageScope stage(clock_.get(), Stage::Candidates);
     candidates_.find(world, reach_, sleep_.awake(), plan_.ballContacts, plan_.arenaContacts);
     counts_.candidatePairs = candidates_.pairs();
     counts_.contacts =
@@ -223,6 +243,7 @@ class Simulation : public Stepper {
   }
 
   void startFromOldImpulses(const World& world) {
+    const StageScope stage(clock_.get(), Stage::Prepare);
     contactMemory_.start(
         plan_.ballContacts, plan_.arenaContacts, substepOf(world.settings), [&](Contact c) {
           // Already deep in overlap and never announced: the broadphase, or our bound on how far a
@@ -271,6 +292,7 @@ class Simulation : public Stepper {
   const Integrator* integrator_ = nullptr;
   ContactMethod method_ = ContactMethod::Substep;
   mutable StepperMemory memory_;  // made when asked for
+  std::unique_ptr<StageClock> clock_;
   // Of the step or the attempt at hand.
   Field field_;
   // By ball; only those of balls that are awake are valid.
