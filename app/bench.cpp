@@ -16,6 +16,7 @@
 #include "curve_bench.h"
 #include "engines.h"
 #include "errors.h"
+#include "feature_bench.h"
 #include "flight/integrators.h"
 #include "progress.h"
 #include "scenes/catalogue.h"
@@ -265,13 +266,16 @@ int runBench(std::span<const std::string> arguments, char** argv) {
     return runCurveBench(arguments.subspan(1), argv);
   if (!arguments.empty() && arguments.front() == "speed")
     return runSpeedBench(arguments.subspan(1), argv);
+  if (!arguments.empty() && arguments.front() == "features")
+    return runFeatureBench(arguments.subspan(1), argv);
   CLI::App app{
       "Runs a scene with an engine; one CSV row of time and physics.\n"
       "ms_per_step is the wall time of the steps alone; overlap, energy and escaped balls "
       "are those at the end. Where the energy went (.._J) is booked in a second run.\n"
       "\"bench accuracy\" measures error against CPU time, \"bench stress\" runs worlds that break "
       "engines, \"bench curve\" overlap against time over the solver's settings, \"bench speed\" "
-      "many scenes beside stock Bullet; all take --help too.",
+      "many scenes beside stock Bullet, \"bench features\" what a feature costs that is not used; "
+      "all take --help too.",
       "./run.sh bench"};
   BenchOptions options;
   addOptions(app, options);

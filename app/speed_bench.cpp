@@ -70,7 +70,7 @@ std::optional<SpeedOptions> parse(std::span<const std::string> arguments) {
                options.threads.push_back(parseInteger(trimmed(word), 1, kMostThreads));
            });
          },
-         "of ours; one thread always runs (default 1)")
+         "of ours; one thread always runs (default 1,2)")
       ->type_name("COUNT,...");
   app.add_option_function<std::string>(
          "--minutes",

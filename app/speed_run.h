@@ -60,7 +60,7 @@ inline constexpr double kFullMinutes = 12;
 
 struct SpeedOptions {
   std::vector<std::string> scenes;
-  std::vector<std::int64_t> threads = {1};
+  std::vector<std::int64_t> threads = {1, 2};
   std::int64_t repeats = 5;
   std::int64_t steps = 0;  // 0: the scenes' windows
   double minutes = kFullMinutes;
