@@ -51,12 +51,12 @@ void ContactBatches::split(std::span<const BallPair> pairs, std::span<const std:
   }
 
   pairs_.resize(pairs.size());
-  source_.resize(pairs.size());
+  slots_.resize(pairs.size());
   for (std::uint32_t n = 0; n < pairs.size(); ++n) {
     const auto [a, b] = pairs[n];
     const std::uint32_t to = next_[colour_[n]]++;
     pairs_[to] = {place[a], isBall(b) ? place[b] : static_cast<std::uint32_t>(ballCount)};
-    source_[to] = n;
+    slots_[n] = to;
   }
 }
 

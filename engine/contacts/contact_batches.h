@@ -26,15 +26,16 @@ class ContactBatches {
              std::size_t ballCount);
 
   std::span<const ContactBatch> batches() const { return batches_; }
-  /// Indices of balls; b of a contact with the arena is one behind all balls.
+  /// In the order of the batches. Indices of balls; b of a contact with the arena is one behind all
+  /// balls.
   std::span<const IndexPair> pairs() const { return pairs_; }
-  /// By pair of pairs(), its place among those given.
-  std::span<const std::uint32_t> source() const { return source_; }
+  /// By pair given, its place in pairs().
+  std::span<const std::uint32_t> slots() const { return slots_; }
 
  private:
   std::vector<ContactBatch> batches_;
   std::vector<IndexPair> pairs_;
-  std::vector<std::uint32_t> source_;
+  std::vector<std::uint32_t> slots_;
   // Scratch.
   std::vector<std::uint64_t> used_;   // by ball, colours
   std::vector<std::uint8_t> colour_;  // by pair given
