@@ -37,7 +37,8 @@ void Crowd::step(const CrowdInput& in, Balls& balls, ThreadPool& pool, Books* bo
   const StageScope stage(clock_, Stage::Prepare);
   const int substeps = in.settings.substeps;
   const double h = in.settings.dt / substeps;
-  island_ = in.island;
+  order_.sort(balls, in.island);
+  island_ = order_.ids();
   rules_ = {h, in.settings.elasticity, in.settings.friction, *in.model.arena, 0};
   threads_ = static_cast<std::size_t>(pool.threads());
   gather(in, balls, pool);
@@ -95,7 +96,7 @@ void Crowd::gather(const CrowdInput& in, const Balls& balls, ThreadPool& pool) {
   }
 
   const std::span<const BallPair> pairs = in.pairs;
-  batches_.split(pairs, placeOf_, count);
+  batches_.split(pairs, island_, placeOf_);
   makeRoomFor(lasting_, pairs.size() + threads_);
   makeRoomFor(touchedIn_, pairs.size() + threads_);
   makeRoomFor(touching_, pairs.size() + 1);

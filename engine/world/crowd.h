@@ -13,6 +13,7 @@
 #include "contacts/crowd_kernels.h"
 #include "contacts/ledger.h"
 #include "contacts/path.h"
+#include "contacts/spatial_order.h"
 #include "state/books.h"
 #include "state/stage_clock.h"
 #include "state/world.h"
@@ -95,7 +96,8 @@ class Crowd {
                    const Booking& pushed, Books impulses, Books& books) const;
 
   StageClock* clock_ = nullptr;
-  std::span<const std::uint32_t> island_;
+  SpatialOrder order_;
+  std::span<const std::uint32_t> island_;  // in that order
   CrowdRules rules_;
   std::size_t threads_ = 1;
   std::vector<std::uint32_t> placeOf_;  // by ball of the world, in the island
