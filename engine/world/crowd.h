@@ -13,6 +13,7 @@
 #include "contacts/crowd_kernels.h"
 #include "contacts/ledger.h"
 #include "contacts/path.h"
+#include "contacts/spatial_order.h"
 #include "state/books.h"
 #include "state/stage_clock.h"
 #include "state/world.h"
@@ -70,6 +71,7 @@ class Crowd {
   void solve(const Settings& settings, std::size_t thread, Barrier& barrier);
   void shift(std::size_t thread, Barrier& barrier);
   void pushOut(std::size_t thread, Barrier& barrier);
+  void keepInArena();
   /// Calls action(partner, part) for each part that is the thread's, batch after batch.
   template <class Action>
   void forEachPart(std::size_t thread, Barrier& barrier, Action action);
@@ -95,8 +97,10 @@ class Crowd {
                    const Booking& pushed, Books impulses, Books& books) const;
 
   StageClock* clock_ = nullptr;
-  std::span<const std::uint32_t> island_;
+  SpatialOrder order_;
+  std::span<const std::uint32_t> island_;  // in that order
   CrowdRules rules_;
+  bool isLastSubstep_ = false;
   std::size_t threads_ = 1;
   std::vector<std::uint32_t> placeOf_;  // by ball of the world, in the island
   // By ball of the island, then the idle ones.
