@@ -25,7 +25,7 @@ void transferVectors(auto& bytes, std::string_view name, auto& vectors) {
 
 void transferSettings(auto& bytes, auto& settings) {
   auto& [dt, gravity, drag, elasticity, friction, rollingResistance, integrator, contactMethod,
-         substeps, iterations, mostImpacts, sleepSpeed] = settings;
+         substeps, iterations, mostImpacts, sleepSpeed, broadphase] = settings;
   bytes.field(dt);
   bytes.field(gravity);
   bytes.field(drag);
@@ -38,6 +38,7 @@ void transferSettings(auto& bytes, auto& settings) {
   bytes.field(iterations);
   bytes.field(mostImpacts);
   bytes.field(sleepSpeed);
+  bytes.choice("settings.broadphase", broadphase, kBroadphaseNames.size());
 }
 
 void transferKeyframe(auto& bytes, auto& keyframe) {

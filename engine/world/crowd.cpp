@@ -29,13 +29,20 @@ void Crowd::step(const Settings& settings, const PathModel& model,
   gather(settings, pairs, memory, balls);
   for (int n = 0; n < settings.substeps; ++n) {
     rules_.substep = static_cast<std::uint32_t>(n + 1);
-    fly(model, n * h, isLeaning);
-    const CrowdSubstep substep = prepare();
-    solve(settings, substep);
-    movePlaces();
+    const double start = n * h;
+    if (books) bookFlights(model, start, isLeaning, balls, *books);
+    fly(model, start, isLeaning);
+    const Booking flown = books ? bookingOf(model, start + h, balls) : Booking{};
+    solve(settings, prepare());
+    const Booking solved = books ? bookingOf(model, start + h, balls) : Booking{};
+    const Books impulses = books ? booksOfImpulses(model, balls) : Books{};
+    shift();
+    const Booking shifted = books ? bookingOf(model, start + h, balls) : Booking{};
+    pushOut();
+    if (books)
+      bookSubstep(flown, solved, shifted, bookingOf(model, start + h, balls), impulses, *books);
   }
   scatter(balls);
-  (void)books;
 }
 
 void Crowd::gather(const Settings& settings, std::span<const BallPair> pairs,
@@ -130,16 +137,6 @@ void Crowd::fly(const PathModel& model, double start, std::span<const std::uint8
   }
 }
 
-template <class Action>
-void Crowd::forEachBatch(Action action) {
-  const auto batches = batches_.batches();
-  for (std::size_t n = 0; n < batches.size(); ++n) {
-    const Blocks& blocks = blocksOf_[n];
-    action(batches[n].partner, std::span(blocks_).subspan(blocks.first, blocks.count),
-           flights_.data() + blocks.first);
-  }
-}
-
 CrowdSubstep Crowd::prepare() {
   CrowdSubstep substep;
   const auto batches = batches_.batches();
@@ -167,10 +164,13 @@ void Crowd::solve(const Settings& settings, const CrowdSubstep& substep) {
   }
 }
 
-void Crowd::movePlaces() {
+void Crowd::shift() {
   forEachBatch([&](PartnerKind partner, std::span<ContactBlock> blocks, const ContactFlight* f) {
     shiftByForces(partner, rules_, arrays_, blocks, f);
   });
+}
+
+void Crowd::pushOut() {
   forEachBatch([&](PartnerKind partner, std::span<ContactBlock> blocks, const ContactFlight*) {
     pushOverlapsOut(partner, rules_, arrays_, blocks);
   });

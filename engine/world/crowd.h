@@ -10,6 +10,7 @@
 #include "broadphase/broadphase.h"
 #include "contacts/contact_batches.h"
 #include "contacts/crowd_kernels.h"
+#include "contacts/ledger.h"
 #include "contacts/path.h"
 #include "state/books.h"
 #include "state/world.h"
@@ -35,15 +36,32 @@ class Crowd {
   void fly(const PathModel& model, double start, std::span<const std::uint8_t> isLeaning);
   CrowdSubstep prepare();
   void solve(const Settings& settings, const CrowdSubstep& substep);
-  void movePlaces();
+  void shift();
+  void pushOut();
   void scatter(Balls& balls) const;
-  /// Calls action(batch, its blocks, their flights).
+  /// Calls action(partner, blocks of the batch, their flights).
   template <class Action>
-  void forEachBatch(Action action);
+  void forEachBatch(Action action) {
+    const auto batches = batches_.batches();
+    for (std::size_t n = 0; n < batches.size(); ++n) {
+      const Blocks& blocks = blocksOf_[n];
+      action(batches[n].partner, std::span(blocks_).subspan(blocks.first, blocks.count),
+             flights_.data() + blocks.first);
+    }
+  }
 
-  // Booking.
-  std::vector<Contact> contactsNow(const Balls& balls) const;
-  double kineticEnergy(const Balls& balls) const;
+  // Booking (crowd_books.cpp), from states between the parts of a substep; `balls` get these.
+  struct Booking {
+    double kineticEnergy = 0;  // J
+    Placement placement;
+  };
+  void bookFlights(const PathModel& model, double start, std::span<const std::uint8_t> isLeaning,
+                   Balls& balls, Books& books) const;
+  Booking bookingOf(const PathModel& model, double time, Balls& balls) const;
+  /// What the impulses did to momentum, and the work of the normal ones.
+  Books booksOfImpulses(const PathModel& model, const Balls& balls);
+  void bookSubstep(const Booking& flown, const Booking& solved, const Booking& shifted,
+                   const Booking& pushed, Books impulses, Books& books) const;
 
   std::span<const std::uint32_t> island_;
   CrowdRules rules_;

@@ -249,10 +249,11 @@ class Simulation : public Stepper {
   }
 
   void findPairs(const World& world) {
-    candidates_.find(world, reach_, sleep_.awake(), ballPairs_, arenaPairs_);
+    candidates_.find(world, reach_, sleep_.awake());
     counts_.candidatePairs = candidates_.pairs();
-    counts_.contacts = static_cast<std::int64_t>(ballPairs_.size() + arenaPairs_.size());
-    islands_.find(ballPairs_, arenaPairs_, sleep_.awake());
+    counts_.contacts =
+        static_cast<std::int64_t>(candidates_.ballPairs().size() + candidates_.arenaPairs().size());
+    islands_.find(candidates_.ballPairs(), candidates_.arenaPairs(), sleep_.awake());
     isIslandDone_.assign(islands_.count(), 0);
     for (const std::uint32_t i : sleep_.awake()) isDone_[i] = nextStepsInSubsteps_[i] = 0;
   }
@@ -290,7 +291,8 @@ class Simulation : public Stepper {
   void countLatePairs(const World& world) {
     lastStep_.resize(world.balls.size(), kNoStep);
     auto old = oldPairs_.begin();
-    for (const BallPair& pair : ballPairs_) {
+    const auto pairs = candidates_.ballPairs();
+    for (const BallPair& pair : pairs) {
       while (old != oldPairs_.end() && (old->a != pair.a ? old->a < pair.a : old->b < pair.b))
         ++old;
       if (old != oldPairs_.end() && *old == pair) continue;
@@ -301,7 +303,7 @@ class Simulation : public Stepper {
       const double apart = length(start_[b].position - start_[a].position);
       if (apart - touching < -kLateOverlap * touching) ++counts_.latePairs;
     }
-    std::swap(oldPairs_, ballPairs_);
+    oldPairs_.assign(pairs.begin(), pairs.end());
     for (const std::uint32_t i : sleep_.awake()) lastStep_[i] = world.step;
   }
 
@@ -345,7 +347,6 @@ class Simulation : public Stepper {
   std::vector<std::uint8_t> isDone_;  // moved by events
   std::vector<std::uint8_t> isTouching_;
   std::vector<std::uint8_t> nextStepsInSubsteps_;
-  std::vector<BallPair> ballPairs_, arenaPairs_;
   Islands islands_;
   std::vector<std::uint8_t> isIslandDone_;
   ExactFlight exact_;

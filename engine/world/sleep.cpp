@@ -15,7 +15,9 @@ namespace {
 /// Of all that holds for every ball alike and may be changed between two steps.
 std::uint64_t conditionsOf(const World& world) {
   const auto& [dt, gravity, drag, elasticity, friction, rollingResistance, integrator,
-               contactMethod, substeps, iterations, mostImpacts, sleepSpeed] = world.settings;
+               contactMethod, substeps, iterations, mostImpacts, sleepSpeed, broadphase] =
+      world.settings;
+  static_cast<void>(broadphase);  // changes no result
   Hash hash;
   for (const double number : {dt, drag, elasticity, friction, rollingResistance, sleepSpeed})
     hash.add(number);
