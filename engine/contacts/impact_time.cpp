@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "contacts/support.h"
+
 namespace wells {
 namespace {
 
@@ -149,6 +151,15 @@ bool staysOpen(const GapNow& now, double closed, double duration) {
   return now.gap > closed && safeTime(now) > duration;
 }
 
+/// Where a ball in flight would be at time t if only gravity pulled it.
+BallState ballistic(const PathModel& model, const Path& path, double t) {
+  const double after = t - path.start;
+  BallState ball = path.state;
+  ball.position += after * ball.velocity + (after * after / 2) * model.field->gravity;
+  ball.velocity += after * model.field->gravity;
+  return ball;
+}
+
 }  // namespace
 
 Encounter encounterOfBalls(const PathModel& model, const Path& a, const Path& b, double from,
@@ -171,20 +182,38 @@ Encounter encounterWithArena(const PathModel& model, const Path& ball, std::uint
                             : encounterWithWall(model, ball, from, until);
 }
 
-bool staysApart(const PathModel& model, const Balls& balls, const double* pull, std::uint32_t a,
-                std::uint32_t b, double duration) {
-  const BallState ball = balls.state(a);
-  const double radius = balls.radius[a];
-  if (b == kGround)
-    return staysOpen(gapToGround(model, ball, radius, pull[a]),
-                     closedAtGround(*model.arena, ball, radius), duration);
-  if (b == kWall)
-    return staysOpen(gapToWall(model, ball, radius, pull[a], duration),
-                     closedAtWall(*model.arena, radius), duration);
-  const BallState other = balls.state(b);
-  const double otherRadius = balls.radius[b];
-  return staysOpen(gapOfBalls(ball, radius, other, otherRadius, pull[a] + pull[b]),
-                   closedOfBalls(ball, radius, other, otherRadius), duration);
+// With r the relative position of the two parabolas, of which each ball is at most
+// pull (t - start)^2 / 2 away: |r| falls no faster than uniform motion makes it.
+bool stayApart(const PathModel& model, const Flyer& a, const Flyer& b, double from, double until) {
+  const double afterA = from - a.path->start;
+  const double afterB = from - b.path->start;
+  const BallState nowA = ballistic(model, *a.path, from);
+  const BallState nowB = ballistic(model, *b.path, from);
+  GapNow now = gapOfBalls(nowA, a.path->radius, nowB, b.path->radius, a.pull + b.pull);
+  now.gap -= (a.pull * afterA * afterA + b.pull * afterB * afterB) / 2;
+  now.closing += a.pull * afterA + b.pull * afterB;
+  const double closed = closedOfBalls(nowA, a.path->radius, nowB, b.path->radius);
+  return staysOpen(now, closed, until - from);
+}
+
+double leastGap(const PathModel& model, const Flyer& ball, double t, const Vec3& position,
+                double radius) {
+  const Path& path = *ball.path;
+  const double after = t - path.start;
+  const double distance = length(ballistic(model, path, t).position - position);
+  return distance - path.radius - radius - ball.pull * after * after / 2;
+}
+
+bool staysOff(const PathModel& model, const Flyer& ball, std::uint32_t partner, double until) {
+  const Path& path = *ball.path;
+  const double duration = until - path.start;
+  // What is held by a surface from the start on touches it within kHeldGap.
+  constexpr double kNear = kHeldGap / kClosedGap;
+  if (partner == kGround)
+    return staysOpen(gapToGround(model, path.state, path.radius, ball.pull),
+                     kNear * closedAtGround(*model.arena, path.state, path.radius), duration);
+  return staysOpen(gapToWall(model, path.state, path.radius, ball.pull, duration),
+                   kNear * closedAtWall(*model.arena, path.radius), duration);
 }
 
 }  // namespace wells

@@ -61,7 +61,8 @@ HWY_EXPORT(finite);
 
 bool isRun(std::span<const std::uint32_t> ids) {
   std::uint32_t differing = 0;  // bits; no branch, so that the compiler uses vectors
-  for (std::uint32_t k = 0; k < ids.size(); ++k) differing |= ids[k] ^ (ids[0] + k);
+  for (std::size_t k = 0; k < ids.size(); ++k)
+    differing |= ids[k] ^ (ids[0] + static_cast<std::uint32_t>(k));
   return differing == 0;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "broadphase/broadphase.h"
+#include "contacts/impact_time.h"
 #include "contacts/ledger.h"
 #include "state/world.h"
 
@@ -95,13 +96,22 @@ class ExactFlight {
 
   static bool later(const Event& x, const Event& y);
 
-  /// Sets mayMeet_ as all fly from the start of the step. False: no pair may.
-  bool mayMeet(const StepInput& in, std::span<const std::uint32_t> island,
-               std::span<const BallPair> pairs, const Balls& balls);
-  void begin(const StepInput& in, std::span<const std::uint32_t> island,
-             std::span<const BallPair> pairs, const Balls& balls);
+  /// Ball i is on this path from now on.
+  void set(const StepInput& in, std::uint32_t i, const Path& path);
+  Flyer flyer(std::uint32_t i) const { return {&path_[i], pull_[i]}; }
+  /// True where it is certain without following paths that the pair does not meet by the end of the
+  /// step, as its balls move now.
+  bool stayApart(const StepInput& in, const BallPair& pair) const;
+  /// As if all were in flight.
+  void begin(const StepInput& in, std::span<const std::uint32_t> island, const Balls& balls);
+  /// Looks who is held, and lists the pairs of each ball.
+  void takeHold(const StepInput& in, std::span<const std::uint32_t> island,
+                std::span<const BallPair> pairs, const Balls& balls);
   IslandFate simulate(const StepInput& in, std::span<const BallPair> pairs, std::span<double> reach,
                       Balls& balls);
+  /// Moves all to the end of the step, which nothing disturbs any more.
+  void endStep(const StepInput& in, std::span<const std::uint32_t> island, std::span<double> reach,
+               Balls& balls);
   /// At an event, with the states of the cluster's balls in `balls`.
   IslandFate resolve(const StepInput& in, double time, Balls& balls);
   enum class Bounce : std::uint8_t {
@@ -147,20 +157,20 @@ class ExactFlight {
 
   // By ball, sized for the world; only those of the island are valid.
   std::vector<Path> path_;
+  std::vector<double> pull_;  // m/s^2, bound on that of wells and drag along the path, in flight
   std::vector<BallState> start_;
   std::vector<double> end_;             // s, of its path; at most dt_
   std::vector<std::uint32_t> version_;  // rises at each event of the ball
   std::vector<std::uint32_t> firstPair_;
   std::vector<std::uint32_t> pairCount_;
-  std::vector<double> pull_;  // m/s^2, bound for the step
   // By island.
   std::vector<std::uint32_t> pairsOf_;
   std::vector<Event> events_;  // heap, earliest first
   std::vector<Contact> cluster_;
   std::vector<std::uint32_t> clusterBalls_;
-  std::vector<std::uint8_t> mayMeet_;      // by pair of the island, before anything is hit
-  std::vector<std::uint8_t> inCluster_;    // by pair of the island
-  std::vector<std::uint8_t> isInCluster_;  // by ball
+  std::vector<std::uint32_t> undisturbed_;  // that fly through the whole step
+  std::vector<std::uint8_t> inCluster_;     // by pair of the island
+  std::vector<std::uint8_t> isInCluster_;   // by ball
   ExactCounts counts_;
   bool keepsBooks_ = false;
   Books books_;
