@@ -98,7 +98,7 @@ TEST(StayApart, IsSoAtAnyTime) {
 TEST(StayApart, IsNotSoWithABoundThatIsTooSmall) {
   Random random(2);
   int wrong = 0;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < 5000; ++i) {
     const Flights flights(random);
     const auto& [a, b] = flights.paths;
     const double from = std::max(a.start, b.start);
