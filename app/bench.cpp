@@ -83,6 +83,7 @@ void addOptions(CLI::App& app, BenchOptions& options) {
   addInteger(app, "--iterations", options.iterations, 1, 1000, "of ours (default: the scene's)");
   addInteger(app, "--threads", options.threads, 1, 256,
              "of the simulation; the result has the same bits for any number (default 1)");
+  addInstructions(app);
   addInteger(app, "--seed", options.seed, 0, std::int64_t{1} << 53,
              "of scenes with chance (default 1)");
   app.add_option_function<std::string>(

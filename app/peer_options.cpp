@@ -127,6 +127,7 @@ void addRunOptions(CLI::App& app, PeerOptions& options, Words& words) {
       ->type_name("COUNT")
       ->default_str("1")
       ->group(group);
+  addInstructions(app, group);
   app.add_flag("--quiet", options.quiet, "no progress and no notices")->group(group);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "math/instruction_set.h"
 #include "world/measures.h"
 
 namespace wells {
@@ -9,6 +10,7 @@ namespace wells {
 RunRecorder::RunRecorder(const PeerOptions& options, Pictures* pictures, RunProgress& progress)
     : options_(options), pictures_(pictures), progress_(progress) {
   report_.engine = options.engine;
+  report_.instructions = name(instructionSet());
   report_.peer = options.config.peerId;
 }
 

@@ -108,6 +108,7 @@ std::string reportAsJson(const RunReport& r) {
       {"contacts", r.contacts},
       {"dt", r.dt},
       {"threads", r.threads},
+      {"instructions", r.instructions},
       {"steps", r.steps},
       {"sim_time_s", r.simulatedTime},
       {"wall_time_s", r.wallTime},

@@ -32,6 +32,7 @@ struct RunReport {
   std::string contacts;  // method
   double dt = 0;         // s
   std::int64_t threads = 1;
+  std::string instructions;  // of the processor, see math/instruction_set.h
   std::optional<TrialReport> trial;
 
   std::int64_t steps = 0;    // the world's step at the end

@@ -1,12 +1,6 @@
 #include "world/advance.h"
 
 namespace wells {
-namespace {
-
-constexpr double kReachMargin =
-    0.25;  // of the radius; at 0.1 two pairs in 400 steps of ten-thousand.txt came late
-
-}  // namespace
 
 double pullOf(const Field& field, const Vec3& position, double dt) {
   return length(acceleration(field, position, 0)) * dt;

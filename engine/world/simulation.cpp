@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
+#include "math/components.h"
 #include "world/advance.h"
 #include "world/book_keeper.h"
 #include "world/candidates.h"
@@ -15,6 +15,7 @@
 #include "world/crowd.h"
 #include "world/exact_flight.h"
 #include "world/islands.h"
+#include "world/reaches.h"
 #include "world/sleep.h"
 
 namespace wells {
@@ -45,7 +46,7 @@ class Simulation : public Stepper {
     keeper_.beginStep(world, field_);
     sleep_.wakeAhead(world, field_, contactMemory_);
     makeRoom(world.balls.size());
-    for (const std::uint32_t i : sleep_.awake()) prepare(world, i);
+    prepare(world, sleep_.awake());
     method_ = methodOf(world.settings, field_, integrator);
     try {
       tryUntilComplete(world, integrator);
@@ -79,7 +80,7 @@ class Simulation : public Stepper {
       const bool isComplete = attempt(world, integrator, attempts);
       if (!isComplete) ++attempts;
       if (!sleep_.wakeAround(world, start_, field_, contactMemory_) && isComplete) return;
-      for (const std::uint32_t i : sleep_.woken()) prepare(world, i);
+      prepare(world, sleep_.woken());
       startOver(world.balls);
     }
   }
@@ -93,12 +94,9 @@ class Simulation : public Stepper {
     isTouching_.resize(balls);
   }
 
-  /// A ball whose state is not finite gets no reach: it is in no pair and is not moved.
-  void prepare(const World& world, std::uint32_t i) {
-    start_[i] = world.balls.state(i);
-    reach_[i] = isFinite(start_[i])
-                    ? reachOf(field_, start_[i], world.balls.radius[i], world.settings.dt)
-                    : std::numeric_limits<double>::quiet_NaN();
+  void prepare(const World& world, std::span<const std::uint32_t> balls) {
+    for (const std::uint32_t i : balls) start_[i] = world.balls.state(i);
+    reachesOf(field_, world.balls, balls, world.settings.dt, reach_);
   }
 
   void startOver(Balls& balls) const {
@@ -151,8 +149,20 @@ class Simulation : public Stepper {
       if (isBall(c.b)) leaning[c.a] = leaning[c.b] = 1;
   }
 
+  /// Known at once where nobody sleeps.
+  bool areAllFinite(const Balls& balls) const {
+    if (sleep_.awake().size() < balls.size()) return false;
+    const auto numbers = [](const std::vector<Vec3>& v) {
+      return std::span(v.front().data(), 3 * v.size());
+    };
+    return balls.size() == 0 ||
+           (areFinite(numbers(balls.position)) && areFinite(numbers(balls.velocity)) &&
+            areFinite(numbers(balls.spin)));
+  }
+
   void findQuarantined(const Balls& balls) {
     quarantined_.clear();
+    if (areAllFinite(balls)) return;
     for (const std::uint32_t i : sleep_.awake())
       if (!isFinite(balls.state(i))) quarantined_.push_back(i);
   }
@@ -181,7 +191,7 @@ class Simulation : public Stepper {
       }
       if (fate == IslandFate::TooMany && method_ == ContactMethod::Exact) giveUp(world, island);
       if (fate == IslandFate::Alone) {
-        isIslandDone_[n] = 1;
+        isIslandDone_[n] = 1;  // but not its balls, which are still to fly
         counts_.exactBalls += static_cast<std::int64_t>(island.size());
         continue;
       }

@@ -113,6 +113,7 @@ TEST(PeerOptions, RefusesEveryBadOption) {
        "ours"},
       {{"--threads", "0"}, "--threads 0: out of range", "1 to 256"},
       {{"--threads", "two"}, "--threads two: not a whole number", "1 to 256"},
+      {{"--instructions", "mmx"}, "--instructions mmx: ", "baseline, avx2, avx512"},
       {{"--dt", "0"}, "--Dt 0: out of range", "in s"},
       {{"--integrator", "magic"}, "--Integrator magic: no such integrator", "leapfrog"},
       {{"--peer-id", "0"}, "--PeerID 0: out of range", "1 to 255"},
