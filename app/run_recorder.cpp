@@ -37,6 +37,7 @@ void RunRecorder::stepped(const World& world, const Stepper& stepper) {
   const StepCounts counts = stepper.counts();
   report_.latePairs += counts.latePairs;
   report_.shares.add(counts, world.balls.size());
+  report_.threads = std::max(report_.threads, counts.threads);
   report_.flightStretches = std::max(report_.flightStretches, counts.flightStretches);
   progress_.step = world.step;
   if (static_cast<std::int64_t>(world.time()) != sampledSecond_) sample(world);

@@ -29,6 +29,7 @@ struct StepCounts {
   std::int64_t clusters = 0;    // instants at which several impacts hung together
   std::int64_t handedOver = 0;  // islands that began as exact and were left to the substeps
   std::int64_t asleep = 0;      // balls that sleep at the end of the step
+  int threads = 1;              // that the step ran on
   std::int64_t flightStretches = 1;  // into which the flight of a step is divided (sharp wells)
 };
 

@@ -1,6 +1,11 @@
 #include "world/advance.h"
 
 namespace wells {
+namespace {
+
+constexpr std::size_t kLeastFlight = 256;  // balls, in which a thread flies
+
+}  // namespace
 
 double pullOf(const Field& field, const Vec3& position, double dt) {
   return length(acceleration(field, position, 0)) * dt;
@@ -26,7 +31,7 @@ bool mayTouchArena(const Arena& arena, const Vec3& position, double radius, doub
 }
 
 ResolvedCounts advance(const Settings& settings, const PathModel& model, StepPlan& plan,
-                       Balls& balls, Books* books) {
+                       Balls& balls, ThreadPool& pool, Books* books) {
   Vec3* const position = balls.position.data();
   Vec3* const velocity = balls.velocity.data();
   const Ledger ledger{books, model.arena->center};
@@ -35,8 +40,11 @@ ResolvedCounts advance(const Settings& settings, const PathModel& model, StepPla
       for (const std::uint32_t i : list)
         bookPath(ledger, model, {balls.state(i), start, balls.radius[i]}, balls.mass[i],
                  start + duration);
-    flyThrough(*model.integrator, {model.field, start, duration, model.drag}, list, position,
-               velocity);
+    const Flight flight{model.field, start, duration, model.drag};
+    pool.forRanges(list.size(), kLeastFlight, [&](std::size_t begin, std::size_t end, std::size_t) {
+      flyThrough(*model.integrator, flight, std::span(list).subspan(begin, end - begin), position,
+                 velocity);
+    });
   };
   fly(0, settings.dt, plan.free);
 

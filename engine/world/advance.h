@@ -10,6 +10,7 @@
 #include "contacts/sequential_impulses.h"
 #include "state/books.h"
 #include "state/world.h"
+#include "threads/thread_pool.h"
 
 namespace wells {
 
@@ -47,6 +48,6 @@ bool mayTouchArena(const Arena& arena, const Vec3& position, double radius, doub
 /// Advances all balls of the plan by settings.dt: the free ones in one flight, the others in
 /// substeps. Books it unless `books` is null. Returns the sums over the substeps.
 ResolvedCounts advance(const Settings& settings, const PathModel& model, StepPlan& plan,
-                       Balls& balls, Books* books = nullptr);
+                       Balls& balls, ThreadPool& pool, Books* books = nullptr);
 
 }  // namespace wells

@@ -44,7 +44,7 @@ class LoneBall {
     plan_.free.clear();
     plan_.touching.clear();
     (plan_.arenaContacts.empty() ? plan_.free : plan_.touching).push_back(kBall);
-    advance(world_.settings, input.model, plan_, ball);
+    advance(world_.settings, input.model, plan_, ball, pool_);
     return !isBeyondReach(start, ball.state(kBall), world_.settings.dt, reach_);
   }
 
@@ -62,6 +62,7 @@ class LoneBall {
   const Integrator& integrator_;
   std::vector<BallPair> pairs_;
   StepPlan plan_;
+  ThreadPool pool_;
   ContactMemory memory_;
   ExactFlight exact_;
   double substep_ = world_.settings.dt / world_.settings.substeps;  // s

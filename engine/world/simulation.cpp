@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "math/components.h"
+#include "threads/thread_pool.h"
 #include "world/advance.h"
 #include "world/book_keeper.h"
 #include "world/candidates.h"
@@ -23,6 +25,8 @@ namespace {
 
 class Simulation : public Stepper {
  public:
+  explicit Simulation(const SimulationOptions& options) : options_(options) {}
+
   std::string name() const override { return "ours"; }
   std::string integrator() const override {
     return integrator_ ? std::string(integrator_->name) : "";
@@ -46,6 +50,7 @@ class Simulation : public Stepper {
     keeper_.beginStep(world, field_);
     sleep_.wakeAhead(world, field_, contactMemory_);
     makeRoom(world.balls.size());
+    chooseThreads();
     prepare(world, sleep_.awake());
     method_ = methodOf(world.settings, field_, integrator);
     try {
@@ -94,9 +99,20 @@ class Simulation : public Stepper {
     isTouching_.resize(balls);
   }
 
+  /// Those of several are started by the first step that has enough balls awake.
+  void chooseThreads() {
+    const bool areMany = sleep_.awake().size() >= options_.leastBallsForThreads;
+    if (areMany && options_.threads > 1 && !many_) many_.emplace(options_.threads);
+    pool_ = areMany && many_ ? &*many_ : &one_;
+  }
+
   void prepare(const World& world, std::span<const std::uint32_t> balls) {
-    for (const std::uint32_t i : balls) start_[i] = world.balls.state(i);
-    reachesOf(field_, world.balls, balls, world.settings.dt, reach_);
+    pool_->forRanges(balls.size(), kLeastRange,
+                     [&](std::size_t begin, std::size_t end, std::size_t) {
+                       const auto part = balls.subspan(begin, end - begin);
+                       for (const std::uint32_t i : part) start_[i] = world.balls.state(i);
+                       reachesOf(field_, world.balls, part, world.settings.dt, reach_);
+                     });
   }
 
   void startOver(Balls& balls) const {
@@ -108,6 +124,7 @@ class Simulation : public Stepper {
     counts_ = {};
     stepBooks_ = {};
     counts_.flightStretches = field_.stretches;
+    counts_.threads = pool_->threads();
     findPairs(world);
     const StepInput input(world, field_, integrator);
     const bool mayHandOver = attempts > kMostExactAttempts && !isLossless(world.settings);
@@ -116,7 +133,7 @@ class Simulation : public Stepper {
     moveCrowds(input, world);
     planSmallIslands(world);
     planFlights();
-    const ResolvedCounts resolved = advance(world.settings, input.model, plan_, world.balls,
+    const ResolvedCounts resolved = advance(world.settings, input.model, plan_, world.balls, *pool_,
                                             keeper_.books() ? &stepBooks_ : nullptr);
     counts_.substepBalls += static_cast<std::int64_t>(plan_.touching.size());
     counts_.directContacts = resolved.direct;
@@ -322,9 +339,13 @@ class Simulation : public Stepper {
     }
   }
 
-  static constexpr double kLateOverlap = 1e-6;  // of the sum of radii
+  static constexpr std::size_t kLeastRange = 256;  // balls, in which a thread prepares
+  static constexpr double kLateOverlap = 1e-6;     // of the sum of radii
   static constexpr std::int64_t kNoStep = -2;
 
+  const SimulationOptions options_;
+  ThreadPool one_;
+  std::optional<ThreadPool> many_;
   // Kept from step to step.
   Candidates candidates_;
   ContactMemory contactMemory_;
@@ -340,6 +361,7 @@ class Simulation : public Stepper {
   ContactMethod method_ = ContactMethod::Substep;
   mutable StepperMemory memory_;  // made when asked for
   // Of the step or the attempt at hand.
+  ThreadPool* pool_ = &one_;
   Field field_;
   // By ball; only those of balls that are awake are valid.
   std::vector<BallState> start_;
@@ -358,8 +380,8 @@ class Simulation : public Stepper {
 
 }  // namespace
 
-std::unique_ptr<Stepper> makeSimulation() {
-  return std::make_unique<Simulation>();
+std::unique_ptr<Stepper> makeSimulation(const SimulationOptions& options) {
+  return std::make_unique<Simulation>(options);
 }
 
 }  // namespace wells
