@@ -16,14 +16,17 @@
 #include "curve_bench.h"
 #include "engines.h"
 #include "errors.h"
+#include "feature_bench.h"
 #include "flight/integrators.h"
 #include "progress.h"
 #include "scenes/catalogue.h"
+#include "speed_bench.h"
 #include "stress_bench.h"
 #include "target_error.h"
 #include "text_file.h"
 #include "threads/thread_pool.h"
 #include "values.h"
+#include "work_precision.h"
 #include "world/settling.h"
 
 namespace wells {
@@ -45,6 +48,7 @@ struct BenchOptions {
   std::int64_t substeps = 0;    // 0: the scene's
   std::int64_t iterations = 0;  // 0: the scene's
   std::int64_t threads = 1;
+  std::int64_t runs = 1;
   std::int64_t seed = 1;
   double dt = 0;           // s; 0: the scene's
   double targetError = 0;  // m; 0: none
@@ -85,6 +89,9 @@ void addOptions(CLI::App& app, BenchOptions& options) {
   addInteger(app, "--threads", options.threads, 1, kMostThreads,
              "of the simulation; the result has the same bits for any number (default 1)");
   addInstructions(app);
+  addInteger(app, "--runs", options.runs, 1, 1000,
+             "of the same steps, each with a new engine; the median of their times counts "
+             "(default 1)");
   addInteger(app, "--seed", options.seed, 0, std::int64_t{1} << 53,
              "of scenes with chance (default 1)");
   app.add_option_function<std::string>(
@@ -228,9 +235,21 @@ BenchResult runScene(const BenchOptions& options) {
   if (stepper->memory()) booking->restore(*stepper->memory());
 
   const RunGoal goal{.steps = steps, .dt = world.settings.dt, .hasEnd = true};
-  BenchResult result = withProgress(goal, [&](const auto& progress) {
-    return benchmark(*stepper, world, steps, from, progress);
-  });
+  const auto run = [&](Stepper& engine) {
+    return withProgress(goal, [&](const auto& progress) {
+      return benchmark(engine, world, steps, from, progress);
+    });
+  };
+  BenchResult result = run(*stepper);
+  std::vector<double> times = {result.msPerStep};
+  std::vector<double> last = {result.msPerStepLast100};
+  for (std::int64_t i = 1; i < options.runs; ++i) {
+    const BenchResult again = run(*newStepper());
+    times.push_back(again.msPerStep);
+    last.push_back(again.msPerStepLast100);
+  }
+  result.msPerStep = median(times);
+  result.msPerStepLast100 = median(last);
   if (!options.noBooks)
     result.books = withProgress(
         goal, [&](const auto& progress) { return bookedRun(*booking, world, steps, progress); });
@@ -248,13 +267,18 @@ int runBench(std::span<const std::string> arguments, char** argv) {
     return runStressBench(arguments.subspan(1), argv);
   if (!arguments.empty() && arguments.front() == "curve")
     return runCurveBench(arguments.subspan(1), argv);
+  if (!arguments.empty() && arguments.front() == "speed")
+    return runSpeedBench(arguments.subspan(1), argv);
+  if (!arguments.empty() && arguments.front() == "features")
+    return runFeatureBench(arguments.subspan(1), argv);
   CLI::App app{
       "Runs a scene with an engine; one CSV row of time and physics.\n"
       "ms_per_step is the wall time of the steps alone; overlap, energy and escaped balls "
       "are those at the end. Where the energy went (.._J) is booked in a second run.\n"
       "\"bench accuracy\" measures error against CPU time, \"bench stress\" runs worlds that break "
-      "engines, \"bench curve\" overlap against time over the solver's settings; all take --help "
-      "too.",
+      "engines, \"bench curve\" overlap against time over the solver's settings, \"bench speed\" "
+      "many scenes beside stock Bullet, \"bench features\" what a feature costs that is not used; "
+      "all take --help too.",
       "./run.sh bench"};
   BenchOptions options;
   addOptions(app, options);
@@ -267,6 +291,9 @@ int runBench(std::span<const std::string> arguments, char** argv) {
   if (options.from == "asleep" && options.engine != "ours")
     throw UsageError(fmt::format(
         "--from asleep: {} does not say who sleeps; allowed: --engine ours", options.engine));
+  if (options.from != "start" && options.runs > 1)
+    throw UsageError(fmt::format("--runs {}: runs from {} cannot be repeated; allowed: 1",
+                                 options.runs, options.from));
   if (!options.csv.empty()) checkCsv(options.csv);
   becomeExecutableOf(options.engine, argv);
 

@@ -7,6 +7,8 @@
 #include <span>
 #include <string>
 
+#include "errors.h"
+
 namespace wells {
 
 /// The row of a CSV file by column name.
@@ -24,8 +26,15 @@ class BenchRow {
   std::map<std::string, std::string> cells_;
 };
 
+/// A benchmark that was not done in the time that it had, and was ended.
+class TooSlow : public RunError {
+ public:
+  using RunError::RunError;
+};
+
 /// Runs "bench" with these arguments and returns its row. `folder` is for files in between. Throws
-/// RunError when it fails.
-BenchRow runBenchChild(std::span<const std::string> arguments, const std::filesystem::path& folder);
+/// RunError when it fails, TooSlow after `limit` (s).
+BenchRow runBenchChild(std::span<const std::string> arguments, const std::filesystem::path& folder,
+                       double limit = 3600);
 
 }  // namespace wells

@@ -335,15 +335,20 @@ ResolvedCounts resolveContacts(const Settings& settings, const Arena& arena, dou
   const auto placement = [&] {
     return placementOf(ledger, *booking->field, booking->end, booking->touching, balls);
   };
+  StageScope stage(workspace.clock, Stage::Prepare);
   forEach(contacts, [&]<class Partner>(Contact& c) {
     findTouch<Partner>(arena, h, velocityBefore, balls, c);
   });
+  stage.next(Stage::Islands);
   findSmallIslands(contacts, balls.size(), workspace.islands);
+  stage.next(Stage::Prepare);
   forEach(contacts, [&]<class Partner>(Contact& c) {
     prepare<Partner>(settings, arena, h, velocityBefore, balls, c);
   });
   forEach(contacts, [&]<class Partner>(Contact& c) { warmStart<Partner>(balls, c, ledger); });
+  stage.next(Stage::Solve);
   const ResolvedCounts counts = solveIslands(settings, balls, workspace, ledger);
+  stage.next(Stage::Books);
   const double normals =
       booking ? workOfNormals(contacts.balls, balls) + workOfNormals(contacts.arena, balls) : 0;
   const Placement solved = booking ? placement() : Placement{};
@@ -352,10 +357,14 @@ ResolvedCounts resolveContacts(const Settings& settings, const Arena& arena, dou
     for (const Contact& c : contacts.arena)
       bookArena(ledger, c, c.tangentImpulse - c.normalImpulse * c.normal, balls);
   }
+  stage.next(Stage::Push);
   forEach(contacts, [&]<class Partner>(Contact& c) { shiftByContactForce<Partner>(h, balls, c); });
+  stage.next(Stage::Books);
   const Placement shifted = booking ? placement() : Placement{};
+  stage.next(Stage::Push);
   forEach(contacts, [&]<class Partner>(Contact& c) { pushOut<Partner>(arena, h, balls, c); });
   if (!booking) return counts;
+  stage.next(Stage::Books);
   const Placement pushed = placement();
   const double both = impulses.contacts + impulses.friction + shifted.potential - solved.potential;
   impulses.contacts = normals;

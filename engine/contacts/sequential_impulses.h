@@ -11,6 +11,7 @@
 #include "contacts/ledger.h"
 #include "contacts/touching_islands.h"
 #include "state/settings.h"
+#include "state/stage_clock.h"
 
 namespace wells {
 
@@ -33,6 +34,7 @@ struct SubstepBooks {
 struct ContactWorkspace {
   TouchingIslands islands;
   DirectSolver direct;
+  StageClock* clock = nullptr;  // null: nobody asks where the time goes
 };
 
 struct ResolvedCounts {

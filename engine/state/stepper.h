@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "state/books.h"
+#include "state/stage_clock.h"
 #include "state/world.h"
 
 namespace wells {
@@ -108,6 +109,12 @@ class Stepper {
 
   /// Null before openBooks().
   virtual const Books* books() const { return nullptr; }
+
+  /// From now on each step is clocked. Costs a little time. False: this engine cannot.
+  virtual bool openStageClock() { return false; }
+
+  /// Of the last step; null before openStageClock().
+  virtual const StageTimes* stageTimes() const { return nullptr; }
 
   /// Null: this engine keeps what cannot be saved.
   virtual const StepperMemory* memory() const { return nullptr; }

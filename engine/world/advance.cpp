@@ -32,6 +32,7 @@ bool mayTouchArena(const Arena& arena, const Vec3& position, double radius, doub
 
 ResolvedCounts advance(const Settings& settings, const PathModel& model, StepPlan& plan,
                        Balls& balls, ThreadPool& pool, Books* books) {
+  StageScope stage(plan.workspace.clock, Stage::Flight);
   Vec3* const position = balls.position.data();
   Vec3* const velocity = balls.velocity.data();
   const Ledger ledger{books, model.arena->center};

@@ -23,6 +23,7 @@ void Crowd::step(const Settings& settings, const PathModel& model,
                  std::span<const std::uint32_t> island, std::span<const BallPair> pairs,
                  std::span<const std::uint8_t> isLeaning, const ContactMemory& memory, Balls& balls,
                  Books* books) {
+  StageScope stage(clock_, Stage::Prepare);
   const double h = settings.dt / settings.substeps;
   island_ = island;
   rules_ = {h, settings.elasticity, settings.friction, *model.arena, 0};
@@ -30,18 +31,24 @@ void Crowd::step(const Settings& settings, const PathModel& model,
   for (int n = 0; n < settings.substeps; ++n) {
     rules_.substep = static_cast<std::uint32_t>(n + 1);
     const double start = n * h;
+    stage.next(Stage::Flight);
     if (books) bookFlights(model, start, isLeaning, balls, *books);
     fly(model, start, isLeaning);
     const Booking flown = books ? bookingOf(model, start + h, balls) : Booking{};
-    solve(settings, prepare());
+    stage.next(Stage::Prepare);
+    const CrowdSubstep substep = prepare();
+    stage.next(Stage::Solve);
+    solve(settings, substep);
     const Booking solved = books ? bookingOf(model, start + h, balls) : Booking{};
     const Books impulses = books ? booksOfImpulses(model, balls) : Books{};
+    stage.next(Stage::Push);
     shift();
     const Booking shifted = books ? bookingOf(model, start + h, balls) : Booking{};
     pushOut();
     if (books)
       bookSubstep(flown, solved, shifted, bookingOf(model, start + h, balls), impulses, *books);
   }
+  stage.next(Stage::Prepare);
   scatter(balls);
 }
 

@@ -13,6 +13,7 @@
 #include "contacts/ledger.h"
 #include "contacts/path.h"
 #include "state/books.h"
+#include "state/stage_clock.h"
 #include "state/world.h"
 #include "world/contact_memory.h"
 
@@ -26,6 +27,9 @@ class Crowd {
   void step(const Settings& settings, const PathModel& model, std::span<const std::uint32_t> island,
             std::span<const BallPair> pairs, std::span<const std::uint8_t> isLeaning,
             const ContactMemory& memory, Balls& balls, Books* books);
+
+  /// Null: none.
+  void setClock(StageClock* clock) { clock_ = clock; }
 
   /// Adds the contacts that lasted to the end of the last step.
   void keep(std::span<const BallPair> pairs, ContactMemory& memory) const;
@@ -63,6 +67,7 @@ class Crowd {
   void bookSubstep(const Booking& flown, const Booking& solved, const Booking& shifted,
                    const Booking& pushed, Books impulses, Books& books) const;
 
+  StageClock* clock_ = nullptr;
   std::span<const std::uint32_t> island_;
   CrowdRules rules_;
   CrowdArrays arrays_;

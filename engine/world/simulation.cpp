@@ -43,12 +43,26 @@ class Simulation : public Stepper {
 
   const Books* books() const override { return keeper_.books(); }
 
+  bool openStageClock() override {
+    clock_ = std::make_unique<StageClock>();
+    plan_.workspace.clock = clock_.get();
+    crowd_.setClock(clock_.get());
+    return true;
+  }
+
+  const StageTimes* stageTimes() const override { return clock_ ? &clock_->times() : nullptr; }
+
   void step(World& world) override {
+    if (clock_) clock_->begin();
     const Integrator& integrator = findIntegrator(world.settings.integrator);
     updateField(world, world.step, field_);
+    StageScope stage(clock_.get(), Stage::Sleep);
     sleep_.begin(world, field_, contactMemory_);
+    stage.next(Stage::Books);
     keeper_.beginStep(world, field_);
+    stage.next(Stage::Sleep);
     sleep_.wakeAhead(world, field_, contactMemory_);
+    stage.next(Stage::Other);
     makeRoom(world.balls.size());
     chooseThreads();
     prepare(world, sleep_.awake());
@@ -142,15 +156,20 @@ class Simulation : public Stepper {
   }
 
   void commit(World& world, const Integrator& integrator) {
+    StageScope stage(clock_.get(), Stage::Other);
     ++world.step;
+    stage.next(Stage::Prepare);
     keepContacts();
     if (!world.roles.empty()) findLeaning(world);
     countLatePairs(world);
+    stage.next(Stage::Other);
     for (const std::uint32_t i : sleep_.awake()) stepsInSubsteps_[i] = nextStepsInSubsteps_[i];
     findQuarantined(world.balls);
+    stage.next(Stage::Sleep);
     sleep_.end(world, field_, candidates_, stepBooks_, contactMemory_);
     candidates_.remove(sleep_.fallenAsleep());
     counts_.asleep = static_cast<std::int64_t>(sleep_.asleep());
+    stage.next(Stage::Books);
     keeper_.endStep(world, field_, stepBooks_);
     integrator_ = &integrator;
   }
@@ -188,6 +207,7 @@ class Simulation : public Stepper {
 
   /// All islands that go by exact impacts. False: reaches were too short and have been enlarged.
   bool moveByEvents(const StepInput& input, WhenTooFar whenTooFar, World& world) {
+    StageScope stage(clock_.get(), Stage::Islands);
     bool isComplete = true;
     Balls& balls = world.balls;
     const auto isLeaning = candidates_.isLeaning();
@@ -201,7 +221,9 @@ class Simulation : public Stepper {
           if (stepsInSubsteps_[i] > 0) nextStepsInSubsteps_[i] = stepsInSubsteps_[i] - 1;
         continue;
       }
+      stage.next(Stage::Exact);
       const IslandFate fate = exact_.run(input, island, islands_.pairs(n), reach_, balls);
+      stage.next(Stage::Islands);
       if (fate == IslandFate::TooFar && whenTooFar == WhenTooFar::StartOver) {
         isComplete = false;
         continue;
@@ -266,7 +288,9 @@ class Simulation : public Stepper {
   }
 
   void findPairs(const World& world) {
+    StageScope stage(clock_.get(), Stage::Candidates);
     candidates_.find(world, reach_, sleep_.awake());
+    stage.next(Stage::Islands);
     counts_.candidatePairs = candidates_.pairs();
     counts_.contacts =
         static_cast<std::int64_t>(candidates_.ballPairs().size() + candidates_.arenaPairs().size());
@@ -360,6 +384,7 @@ class Simulation : public Stepper {
   const Integrator* integrator_ = nullptr;
   ContactMethod method_ = ContactMethod::Substep;
   mutable StepperMemory memory_;  // made when asked for
+  std::unique_ptr<StageClock> clock_;
   // Of the step or the attempt at hand.
   ThreadPool* pool_ = &one_;
   Field field_;
