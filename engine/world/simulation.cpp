@@ -262,8 +262,9 @@ class Simulation : public Stepper {
     for (std::size_t n = 0; n < islands_.count(); ++n) {
       const auto island = islands_.balls(n);
       if (isIslandDone_[n] || island.size() <= kCrowd) continue;
-      crowd_.step(world.settings, input.model, island, islands_.pairs(n), candidates_.isLeaning(),
-                  contactMemory_, world.balls, keeper_.books() ? &stepBooks_ : nullptr);
+      crowd_.step({world.settings, input.model, island, islands_.pairs(n), candidates_.isLeaning(),
+                   contactMemory_},
+                  world.balls, *pool_, keeper_.books() ? &stepBooks_ : nullptr);
       crowd_.keep(islands_.pairs(n), nextMemory_);
       counts_.substepBalls += static_cast<std::int64_t>(island.size());
       markDone(n);
