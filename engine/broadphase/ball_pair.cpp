@@ -9,9 +9,9 @@ void PairSorter::finish(std::vector<BallPair>& sorted) {
     std::uint32_t sum = 0;
     for (std::uint32_t& start : *starts) sum += std::exchange(start, sum);
   }
-  lowers_.resize(pairs_.size());
-  for (const BallPair& pair : pairs_) lowers_[upperStart_[pair.b]++] = pair.a;
-  sorted.resize(pairs_.size());
+  if (lowers_.size() < count_) lowers_.resize(pairs_.size());
+  for (std::size_t n = 0; n < count_; ++n) lowers_[upperStart_[pairs_[n].b]++] = pairs_[n].a;
+  sorted.resize(count_);
   // Each ball's start has moved to its end.
   std::uint32_t at = 0;
   for (std::uint32_t upper = 0; upper + 1 < upperStart_.size(); ++upper)

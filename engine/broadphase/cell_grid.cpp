@@ -23,9 +23,11 @@ constexpr double kMostCellsAway = 1e9;
 constexpr double kCellOffset = 1 << 30;
 constexpr double kCellMargin = 1e-5;
 constexpr double kLargestLength = 1e15;  // m, whose square is a float
-// Of a coordinate and of a size: more than single precision loses in the tests.
+// More than is lost by rounding: of a coordinate from the anchor and of a size, in the tests'
+// single precision; of a coordinate from the origin, in a box's faces.
 constexpr double kCoordinateLoss = 1.0 / (1 << 22);
 constexpr double kSizeLoss = 1.0 / (1 << 20);
+constexpr double kFaceLoss = 1e-15;
 
 // Partners that are made room for at a time, in slots.
 constexpr std::size_t kMostRoom = 1 << 16;
@@ -74,6 +76,8 @@ void CellGrid::layOut(std::span<btBroadphaseProxy* const> boxes) {
     if (const double size = halfSizeOf(*boxes[i]); size <= kLargestLength / 4)
       half = std::max(half, size);
   size_ = half > 0 ? 2 * half * (1 + kCellMargin) * (stride > 1 ? kSizeMargin : 1) : 1;
+  inverseSize_ = 1 / size_;
+  farthest_ = std::min(kMostCellsAway * size_, kLargestLength);
   if (--sortsLeft_ >= 0 && placedFor_ == boxes.size()) return;
   choosePlace(boxes);
   placedFor_ = boxes.size();
@@ -116,23 +120,24 @@ void CellGrid::choosePlace(std::span<btBroadphaseProxy* const> boxes) {
 /// False for one that is to be kept apart.
 bool CellGrid::enter(const btBroadphaseProxy& box, Entry& entry) const {
   const auto center = centerOf(box);
-  const double inverse = 1 / size_;
-  const double farthest = std::min(kMostCellsAway * size_, kLargestLength);
   double away = 0;
+  double fromOrigin = 0;
   std::uint32_t cell = 0;
   for (int k = 2; k >= 0; --k) {
     const double x = center[k] - anchor_[k];
-    if (!(std::abs(x) <= farthest)) return false;
+    if (!(std::abs(x) <= farthest_)) return false;
     away = std::max(away, std::abs(x));
+    fromOrigin = std::max(fromOrigin, std::abs(center[k]));
     entry.center[k] = static_cast<float>(x);
-    const auto number = static_cast<std::uint64_t>(x * inverse + kCellOffset);
+    const auto number = static_cast<std::uint64_t>(x * inverseSize_ + kCellOffset);
     cell = cell << bits_[k] | (static_cast<std::uint32_t>(number) & ((1u << bits_[k]) - 1));
   }
   entry.cell = cell;
   for (int k = 0; k < 3; ++k) {
     const double half = 0.5 * (box.m_aabbMax[k] - box.m_aabbMin[k]);
     if (!(2 * half * (1 + kCellMargin) <= size_)) return false;
-    entry.half[k] = static_cast<float>((half + kCoordinateLoss * away) * (1 + kSizeLoss));
+    entry.half[k] = static_cast<float>((half + kCoordinateLoss * away + kFaceLoss * fromOrigin) *
+                                       (1 + kSizeLoss));
   }
   return true;
 }

@@ -22,8 +22,7 @@ class GridBroadphase final : public btBroadphaseInterface {
   /// `cache` outlives this. It gets every pair whose boxes overlap and which its filter lets pass,
   /// and loses all others; it must not put off removals (btHashedOverlappingPairCache does not).
   /// Null: see forEachPair().
-  explicit GridBroadphase(btOverlappingPairCache* cache,
-                          BoxContent content = BoxContent::Anything);
+  explicit GridBroadphase(btOverlappingPairCache* cache, BoxContent content = BoxContent::Anything);
 
   btBroadphaseProxy* createProxy(const btVector3& low, const btVector3& high, int shape,
                                  void* client, int group, int mask,
@@ -45,19 +44,21 @@ class GridBroadphase final : public btBroadphaseInterface {
   void getBroadphaseAabb(btVector3& low, btVector3& high) const override;
   void printStats() override;
 
+  /// At most so many.
+  std::size_t pairs() const;
+
   /// Calls visit(x, y) for the pairs of the last calculateOverlappingPairs(), each once, in no
   /// particular order: all whose boxes overlap and which may collide, and some whose boxes nearly
   /// overlap. x and y are the proxies' client objects, which must be numbers of 32 bits.
   template <class Visit>
   void forEachPair(Visit visit) const {
     for (const FoundPartners& found : found_) {
-      std::uint32_t at = 0;
+      const std::uint32_t* at = found.partners.data();
       for (std::uint32_t slot = found.slots.begin; slot < found.slots.end; ++slot)
-        for (const std::uint32_t end = found.ends[slot - found.slots.begin]; at < end; ++at) {
-          const std::uint32_t other = found.partners[at];
-          if (!needsFilter_ || mayCollide(*proxyIn(slot), *proxyIn(other)))
-            visit(numberIn_[slot], numberIn_[other]);
-        }
+        for (const auto* const end = found.partners.data() + found.ends[slot - found.slots.begin];
+             at < end; ++at)
+          if (!needsFilter_ || mayCollide(*proxyIn(slot), *proxyIn(*at)))
+            visit(numberIn_[slot], numberIn_[*at]);
     }
     for (const auto& [x, y] : largePairs_) visit(numberOf(*x), numberOf(*y));
   }
