@@ -1,5 +1,6 @@
 #include "broadphase/ball_pair.h"
 
+#include <span>
 #include <utility>
 
 namespace wells {
@@ -10,15 +11,17 @@ void PairSorter::finish(std::vector<BallPair>& sorted) {
     for (std::uint32_t& start : *starts) sum += std::exchange(start, sum);
   }
   if (lowers_.size() < count_) lowers_.resize(pairs_.size());
-  for (std::size_t n = 0; n < count_; ++n) lowers_[upperStart_[pairs_[n].b]++] = pairs_[n].a;
+  for (const BallPair& pair : std::span(pairs_).first(count_))
+    lowers_[upperStart_[pair.b]++] = pair.a;
   sorted.resize(count_);
-  // Each ball's start has moved to its end.
   std::uint32_t at = 0;
-  for (std::uint32_t upper = 0; upper + 1 < upperStart_.size(); ++upper)
-    for (; at < upperStart_[upper]; ++at) {
+  for (std::uint32_t upper = 0; upper + 1 < upperStart_.size(); ++upper) {
+    const std::uint32_t end = upperStart_[upper];  // it has moved there from the start
+    for (; at < end; ++at) {
       const std::uint32_t lower = lowers_[at];
       sorted[lowerStart_[lower]++] = {lower, upper};
     }
+  }
 }
 
 }  // namespace wells

@@ -273,14 +273,15 @@ void Broadphase::list() {
   nearWall_.clear();
   const auto take = [&](std::uint32_t x, std::uint32_t y) {
     const std::uint32_t upper = std::max(x, y);
-    if (isBall(upper)) [[likely]]
+    if (isBall(upper))
       sorter_.add(x, y);
     else
       (upper == kGround ? nearGround_ : nearWall_).push_back(std::min(x, y));
   };
   if (const GridBroadphase* const grid = proxies_->grid.get()) {
     sorter_.begin(proxies_->ofBall.size(), grid->pairs());
-    grid->forEachPair(take);
+    // Ground and wall are never in cells.
+    grid->forEachPair([&](std::uint32_t x, std::uint32_t y) { sorter_.add(x, y); }, take);
   } else {
     const btBroadphasePairArray& pairs =
         proxies_->broadphase->getOverlappingPairCache()->getOverlappingPairArray();

@@ -151,12 +151,7 @@ void GridBroadphase::fillCache(btDispatcher* dispatcher) {
   const auto add = [&](btBroadphaseProxy* x, btBroadphaseProxy* y) {
     if (overlap(*x, *y)) cache_->addOverlappingPair(x, y);
   };
-  for (const FoundPartners& found : found_) {
-    std::uint32_t at = 0;
-    for (std::uint32_t slot = found.slots.begin; slot < found.slots.end; ++slot)
-      for (const std::uint32_t end = found.ends[slot - found.slots.begin]; at < end; ++at)
-        add(proxyIn(slot), proxyIn(found.partners[at]));
-  }
+  forEachPairOfSlots([&](std::uint32_t x, std::uint32_t y) { add(proxyIn(x), proxyIn(y)); });
   for (const auto& [x, y] : largePairs_) add(x, y);
   // From the end: the cache fills the place of a pair that goes with the last.
   const btBroadphasePair* const pairs = cache_->getOverlappingPairArrayPtr();
