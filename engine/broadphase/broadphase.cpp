@@ -24,8 +24,8 @@ constexpr double kAhead = 4;
 // The same for the grid, where one ball that leaves its sphere means that all are set anew. A list
 // that serves few steps is not worth the pairs that the skin adds: after one that did not, none has
 // a skin for a while.
-constexpr double kSkin = 0.1;
-constexpr double kSkinSteps = 1;
+constexpr double kSkin = 0.4;
+constexpr double kSkinSteps = 4;
 constexpr int kFewSteps = 3;
 constexpr int kListsWithoutSkin = 30;
 constexpr double kMostUnequalRadii = 2;
