@@ -18,6 +18,7 @@ pkg-config - finds libraries
 libbullet-dev - Bullet: broadphase, and the stock baseline
 libosmesa6-dev - OSMesa: renders without a screen
 libeigen3-dev - vectors and matrices
+libhwy-dev - Highway: vector instructions of several processors in one program
 libcli11-dev - options
 libfmt-dev - formatted text
 nlohmann-json3-dev - reports
@@ -30,6 +31,7 @@ iproute2 - a network of the demonstration's own
 ca-certificates - fetching LCM over https
 python3-venv - holds LCM
 libgtest-dev - GoogleTest: the tests are part of the build's configuration
+libbenchmark-dev - Google Benchmark: so are the micro-benchmarks
 "
 test_packages="
 clang-format - checks the format of the sources

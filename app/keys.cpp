@@ -99,6 +99,8 @@ std::vector<Key> makeKeys() {
                       "frames in a simulated second"),
             numberKey("NetworkRate", "Hz", WELLS_FIELD(networkRate), Range::between(10, 1000),
                       "how often messages are sent")});
+  addGroup(table, "Speed (changes no result; may differ from peer to peer)", Scope::Peer,
+           {broadphaseKey()});
   addGroup(
       table, "Picture", Scope::Peer,
       {booleanKey(

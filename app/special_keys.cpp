@@ -171,6 +171,24 @@ Key contactMethodKey() {
           }};
 }
 
+Key broadphaseKey() {
+  return {.name = "Broadphase",
+          .allowed = fmt::format("{}", fmt::join(kBroadphaseNames, ", ")),
+          .help =
+              "how balls that may touch are found: tree: Bullet's btDbvtBroadphase; grid: cells as "
+              "large as a ball and its way; auto: grid where radii are about the same, else tree. "
+              "Changes no result",
+          .set =
+              [](Config& c, std::string_view v, const fs::path&) {
+                const auto kind = broadphaseKind(trimmed(v));
+                if (!kind) throw BadValue("no such broadphase");
+                c.settings.broadphase = *kind;
+              },
+          .get = [](const Config& c) -> std::vector<std::string> {
+            return {std::string(name(c.settings.broadphase))};
+          }};
+}
+
 Key hostIpKey() {
   return {.name = "HostIP",
           .allowed = "any text",

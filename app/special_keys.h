@@ -17,6 +17,7 @@ Key wellKey();
 Key wellPathKey();
 Key integratorKey();
 Key contactMethodKey();
+Key broadphaseKey();
 Key hostIpKey();
 
 }  // namespace wells

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "broadphase/grid_broadphase.h"
 #include "math/elementary.h"
 
 // Bullet's two builds share their headers; a forgotten BT_USE_DOUBLE_PRECISION would link and then
@@ -20,57 +21,94 @@ constexpr double kFattening = 0.5;
 // Steps: by how many of its motion a box that is set anew reaches ahead. T2 with 10,000 balls: 7.1
 // ms a step with 0, 4.1 with 4, 4.5 with 8; T1 does not mind.
 constexpr double kAhead = 4;
+// The same for the grid, where one ball that leaves its box means that all are set anew.
+constexpr double kSkin = 0.1;
+constexpr double kSkinSteps = 1;
+constexpr double kMostUnequalRadii = 2;
 constexpr int kWallPieces = 64;
 // Each ball that is removed costs a look at all pairs; of more at once, those that stay are built
 // afresh.
 constexpr std::size_t kMostRemoved = 16;
 constexpr double kFarAway = 1e15;  // m; beyond any arena, and still exact enough to sort
 
-// What a proxy stands for, kept in Bullet's user pointer.
-enum Partner : std::intptr_t { kGroundProxy = -1, kWallProxy = -2 };
-
-std::intptr_t partnerOf(const btBroadphaseProxy* proxy) {
-  return reinterpret_cast<std::intptr_t>(proxy->m_clientObject);
-}
-
 btVector3 toBullet(const Vec3& v) {
   return {v.x(), v.y(), v.z()};
 }
 
+// What a proxy stands for, a ball, kGround or kWall, is kept in Bullet's user pointer.
+void* asClient(std::uint32_t partner) {
+  return reinterpret_cast<void*>(std::uintptr_t{partner});
+}
+
+std::uint32_t partnerOf(const btBroadphaseProxy* proxy) {
+  return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(proxy->m_clientObject));
+}
+
+/// The sphere around which a ball's pairs are known.
+struct KnownSphere {
+  Vec3 center = Vec3::Zero();  // m
+  double radius = 0;           // m
+};
+
 }  // namespace
 
-struct Broadphase::Bullet {
-  btDbvtBroadphase broadphase;
-  std::vector<btBroadphaseProxy*> proxies;  // by ball; null: not finite, in no pair
-  std::vector<btBroadphaseProxy*> arenaProxies;
-  std::vector<double> radius;  // m, by ball, of its proxy
-  Arena arena;
+BroadphaseKind broadphaseFor(std::span<const double> radii) {
+  if (radii.empty()) return BroadphaseKind::Grid;
+  const auto [least, most] = std::ranges::minmax(radii);
+  return most <= kMostUnequalRadii * least ? BroadphaseKind::Grid : BroadphaseKind::Tree;
+}
 
-  Bullet() = default;
-  Bullet(const Bullet&) = delete;
-  Bullet& operator=(const Bullet&) = delete;
+struct Broadphase::Proxies {
+  std::unique_ptr<btDbvtBroadphase> tree;  // either this
+  std::unique_ptr<GridBroadphase> grid;    // or that
+  btBroadphaseInterface* broadphase = nullptr;
+  std::vector<btBroadphaseProxy*> ofBall;  // null: not finite, in no pair
+  std::vector<btBroadphaseProxy*> ofArena;
+  std::vector<KnownSphere> spheres;  // by ball, of the grid
+  Arena arena;
+  BroadphaseKind chosen;
+
+  explicit Proxies(const World& world)
+      : ofBall(world.balls.size(), nullptr),
+        arena(world.arena),
+        chosen(world.settings.broadphase) {
+    const BroadphaseKind kind =
+        chosen == BroadphaseKind::Auto ? broadphaseFor(world.balls.radius) : chosen;
+    if (kind == BroadphaseKind::Tree) {
+      tree = std::make_unique<btDbvtBroadphase>();
+      tree->m_deferedcollide = true;  // one pass over the trees instead of one per proxy
+      broadphase = tree.get();
+    } else {
+      grid = std::make_unique<GridBroadphase>(nullptr, BoxContent::Spheres);
+      broadphase = grid.get();
+      spheres.resize(world.balls.size());
+    }
+    addArena();
+  }
+  Proxies(const Proxies&) = delete;
+  Proxies& operator=(const Proxies&) = delete;
 
   // Bullet leaves proxies to whoever created them. The pairs go first, because each proxy would
   // search all of them for its own.
-  ~Bullet() {
-    broadphase.getOverlappingPairCache()->getOverlappingPairArray().clear();
-    for (auto* const proxy : arenaProxies) broadphase.destroyProxy(proxy, nullptr);
-    for (auto* const proxy : proxies)
-      if (proxy) broadphase.destroyProxy(proxy, nullptr);
+  ~Proxies() {
+    broadphase->getOverlappingPairCache()->getOverlappingPairArray().clear();
+    for (auto* const proxy : ofArena) broadphase->destroyProxy(proxy, nullptr);
+    for (auto* const proxy : ofBall)
+      if (proxy) broadphase->destroyProxy(proxy, nullptr);
   }
 
-  btBroadphaseProxy* add(const Vec3& low, const Vec3& high, std::intptr_t partner) {
+  btBroadphaseProxy* add(const Vec3& low, const Vec3& high, std::uint32_t partner) {
     // Ground and wall (group 2) pair with balls (group 1) only.
-    const int group = partner < 0 ? 2 : 1;
-    const int mask = partner < 0 ? 1 : 3;
-    return broadphase.createProxy(toBullet(low), toBullet(high), 0,
-                                  reinterpret_cast<void*>(partner), group, mask, nullptr);
+    const int group = isBall(partner) ? 1 : 2;
+    const int mask = isBall(partner) ? 3 : 1;
+    return broadphase->createProxy(toBullet(low), toBullet(high), 0, asClient(partner), group, mask,
+                                   nullptr);
   }
 
   void addArena() {
     const Vec3 c = arena.center;
-    arenaProxies.push_back(add({c.x() - kFarAway, c.y() - kFarAway, c.z() - kFarAway},
-                               {c.x() + kFarAway, c.y(), c.z() + kFarAway}, kGroundProxy));
+    ofArena.push_back(add({c.x() - kFarAway, c.y() - kFarAway, c.z() - kFarAway},
+                          {c.x() + kFarAway, c.y(), c.z() + kFarAway}, kGround));
     // Each piece covers everything beyond the wall in its sector as well, so that a ball cannot
     // pass it by in one step.
     const double inner = arena.radius;
@@ -88,8 +126,15 @@ struct Broadphase::Bullet {
           high.z() = std::max(high.z(), r * edge.sin);
         }
       // Multiples of a quarter turn are edges of pieces, so the corners bound the arc itself.
-      arenaProxies.push_back(add(c + low, c + high, kWallProxy));
+      ofArena.push_back(add(c + low, c + high, kWall));
     }
+  }
+
+  /// Whether nothing that a ball meets within `radius` of its place can be missing.
+  bool isKnown(std::uint32_t ball, const Vec3& position, double radius) const {
+    const KnownSphere& sphere = spheres[ball];
+    const double margin = sphere.radius - radius;
+    return margin >= 0 && squaredLength(position - sphere.center) <= margin * margin;
   }
 };
 
@@ -97,48 +142,55 @@ Broadphase::Broadphase() = default;
 Broadphase::~Broadphase() = default;
 
 void Broadphase::build(const World& world) {
-  bullet_ = std::make_unique<Bullet>();
-  bullet_->arena = world.arena;
-  bullet_->broadphase.m_deferedcollide = true;  // one pass over the trees instead of one per proxy
-  bullet_->addArena();
-  bullet_->proxies.assign(world.balls.size(), nullptr);
-  bullet_->radius.resize(world.balls.size());
+  proxies_ = std::make_unique<Proxies>(world);
   list();
 }
 
-bool Broadphase::isBuiltFor(const World& world, std::span<const std::uint32_t> among) const {
-  return bullet_ && bullet_->proxies.size() == world.balls.size() &&
-         bullet_->arena.center == world.arena.center &&
-         bullet_->arena.radius == world.arena.radius && removed_ <= kMostRemoved &&
-         std::ranges::all_of(among, [&](std::uint32_t i) {
-           return !bullet_->proxies[i] || bullet_->radius[i] == world.balls.radius[i];
-         });
+bool Broadphase::isBuiltFor(const World& world) const {
+  return proxies_ && proxies_->ofBall.size() == world.balls.size() &&
+         proxies_->arena.center == world.arena.center &&
+         proxies_->arena.radius == world.arena.radius &&
+         proxies_->chosen == world.settings.broadphase &&
+         (removed_ <= kMostRemoved || proxies_->grid);
 }
 
 void Broadphase::remove(std::span<const std::uint32_t> balls) {
-  if (!bullet_) return;
+  if (!proxies_ || balls.empty()) return;
   arePairsOld_ = true;
   removed_ += balls.size();
-  if (removed_ > kMostRemoved) return;
+  if (removed_ > kMostRemoved && proxies_->tree) return;
   for (const std::uint32_t i : balls) removeProxy(i);
 }
 
 void Broadphase::removeProxy(std::uint32_t ball) {
-  btBroadphaseProxy*& proxy = bullet_->proxies[ball];
+  btBroadphaseProxy*& proxy = proxies_->ofBall[ball];
   if (!proxy) return;
-  bullet_->broadphase.destroyProxy(proxy, nullptr);
+  proxies_->broadphase->destroyProxy(proxy, nullptr);
   proxy = nullptr;
   ++moved_;
 }
 
 void Broadphase::update(const World& world, std::span<const double> reach,
                         std::span<const std::uint32_t> among) {
-  const Balls& balls = world.balls;
-  if (!isBuiltFor(world, among)) build(world);
+  if (!isBuiltFor(world)) build(world);
   removed_ = 0;
   moved_ = 0;
+  if (proxies_->grid)
+    updateSpheres(world, reach, among);
+  else
+    updateBoxes(world, reach, among);
+  // Boxes that stand where they stood have the pairs that they had.
+  if (moved_ == 0 && !arePairsOld_) return;
+  proxies_->broadphase->calculateOverlappingPairs(nullptr);
+  list();
+  arePairsOld_ = false;
+}
+
+void Broadphase::updateBoxes(const World& world, std::span<const double> reach,
+                             std::span<const std::uint32_t> among) {
+  const Balls& balls = world.balls;
   for (const std::uint32_t i : among) {
-    btBroadphaseProxy*& proxy = bullet_->proxies[i];
+    btBroadphaseProxy*& proxy = proxies_->ofBall[i];
     if (!isFinite(balls.position[i]) || !std::isfinite(reach[i])) {
       removeProxy(i);
       continue;
@@ -151,8 +203,7 @@ void Broadphase::update(const World& world, std::span<const double> reach,
     const Vec3 fatLow = x - fat + ahead.cwiseMin(0);
     const Vec3 fatHigh = x + fat + ahead.cwiseMax(0);
     if (!proxy) {
-      proxy = bullet_->add(fatLow, fatHigh, static_cast<std::intptr_t>(i));
-      bullet_->radius[i] = balls.radius[i];
+      proxy = proxies_->add(fatLow, fatHigh, i);
       ++moved_;
       continue;
     }
@@ -162,34 +213,66 @@ void Broadphase::update(const World& world, std::span<const double> reach,
                         low.y() >= proxy->m_aabbMin.y() && high.y() <= proxy->m_aabbMax.y() &&
                         low.z() >= proxy->m_aabbMin.z() && high.z() <= proxy->m_aabbMax.z();
     if (inside) continue;
-    bullet_->broadphase.setAabb(proxy, toBullet(fatLow), toBullet(fatHigh), nullptr);
+    proxies_->broadphase->setAabb(proxy, toBullet(fatLow), toBullet(fatHigh), nullptr);
     ++moved_;
   }
-  // Boxes that stand where they stood have the pairs that they had.
-  if (moved_ == 0 && !arePairsOld_) return;
-  bullet_->broadphase.calculateOverlappingPairs(nullptr);
-  list();
-  arePairsOld_ = false;
+}
+
+void Broadphase::updateSpheres(const World& world, std::span<const double> reach,
+                               std::span<const std::uint32_t> among) {
+  const Balls& balls = world.balls;
+  const auto isIn = [&](std::uint32_t i) {
+    return isFinite(balls.position[i]) && std::isfinite(reach[i]);
+  };
+  const bool areKnown = std::ranges::all_of(among, [&](std::uint32_t i) {
+    return isIn(i) == (proxies_->ofBall[i] != nullptr) &&
+           (!isIn(i) || proxies_->isKnown(i, balls.position[i], balls.radius[i] + reach[i]));
+  });
+  if (areKnown) return;
+  for (const std::uint32_t i : among) {
+    if (!isIn(i)) {
+      removeProxy(i);
+      continue;
+    }
+    const Vec3& x = balls.position[i];
+    const double skin = kSkin * balls.radius[i] +
+                        kSkinSteps * world.settings.dt * length(balls.velocity[i]);
+    const double radius = balls.radius[i] + reach[i] + skin;
+    proxies_->spheres[i] = {x, radius};
+    const Vec3 low = x - Vec3::Constant(radius);
+    const Vec3 high = x + Vec3::Constant(radius);
+    ++moved_;
+    if (btBroadphaseProxy*& proxy = proxies_->ofBall[i]; !proxy)
+      proxy = proxies_->add(low, high, i);
+    else
+      proxies_->broadphase->setAabb(proxy, toBullet(low), toBullet(high), nullptr);
+  }
 }
 
 void Broadphase::list() {
-  ballPairs_.clear();
+  sorter_.begin(proxies_->ofBall.size());
   nearGround_.clear();
   nearWall_.clear();
-  const btBroadphasePairArray& pairs =
-      bullet_->broadphase.getOverlappingPairCache()->getOverlappingPairArray();
-  for (int n = 0; n < pairs.size(); ++n) {
-    std::intptr_t first = partnerOf(pairs[n].m_pProxy0);
-    std::intptr_t second = partnerOf(pairs[n].m_pProxy1);
-    if (first > second) std::swap(first, second);
-    const auto ball = static_cast<std::uint32_t>(second);
-    if (first == kGroundProxy)
-      nearGround_.push_back(ball);
-    else if (first == kWallProxy)
-      nearWall_.push_back(ball);
-    else
-      ballPairs_.push_back({static_cast<std::uint32_t>(first), ball});
+  if (proxies_->grid) {
+    proxies_->grid->forEachPair([&](std::uint32_t x, std::uint32_t y) { take(x, y); });
+  } else {
+    const btBroadphasePairArray& pairs =
+        proxies_->broadphase->getOverlappingPairCache()->getOverlappingPairArray();
+    for (int n = 0; n < pairs.size(); ++n)
+      take(partnerOf(pairs[n].m_pProxy0), partnerOf(pairs[n].m_pProxy1));
   }
+  sorter_.finish(ballPairs_);
+}
+
+void Broadphase::take(std::uint32_t x, std::uint32_t y) {
+  const std::uint32_t lower = std::min(x, y);
+  const std::uint32_t upper = std::max(x, y);
+  if (isBall(upper))
+    sorter_.add(lower, upper);
+  else if (upper == kGround)
+    nearGround_.push_back(lower);
+  else
+    nearWall_.push_back(lower);
 }
 
 }  // namespace wells

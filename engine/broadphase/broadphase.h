@@ -1,10 +1,10 @@
-// Candidate pairs from Bullet's broadphase: which balls may touch which balls, the ground or the
-// wall during a step.
+// Candidate pairs from a broadphase of Bullet's interface: which balls may touch which balls, the
+// ground or the wall during a step.
 //
-// Balls, ground and wall are proxies of a btDbvtBroadphase. A ball's box is swept over the step and
-// fattened, and its proxy is touched only when the swept ball leaves the fat box, so that most
-// steps move few proxies. The wall is a ring of boxes, so that only balls near it pair with it. The
-// pairs are a superset: what is near is decided by exact gaps, in contacts/.
+// Balls, ground and wall are proxies. A ball's box is made larger than the step needs and set anew
+// only when the ball leaves it, so that one list of pairs serves many steps. The wall is a ring of
+// boxes, so that only balls near it pair with it. The pairs are a superset: what is near is decided
+// by exact gaps, in contacts/.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,14 @@
 #include <span>
 #include <vector>
 
+#include "broadphase/ball_pair.h"
 #include "state/world.h"
 
 namespace wells {
 
-/// Two balls, a < b.
-struct BallPair {
-  std::uint32_t a;
-  std::uint32_t b;
-  bool operator==(const BallPair&) const = default;
-};
+/// What BroadphaseKind::Auto means for balls of these radii. A grid where they are about the same,
+/// else a tree.
+BroadphaseKind broadphaseFor(std::span<const double> radii);
 
 class Broadphase {
  public:
@@ -32,33 +30,40 @@ class Broadphase {
 
   /// Brings the boxes up to date and lists the candidate pairs. reach[i] (m, >= 0) bounds how far
   /// ball i may move in the step: every pair whose gap is at most the sum of its reaches is
-  /// listed. A change in the number of balls or in the arena starts afresh. A ball whose
-  /// position or reach is not finite is in no pair. `among` are the balls that take part: all that
-  /// did so in the last update and have not been removed since, and any others. O(among), and what
-  /// their pairs cost.
+  /// listed. A change in the number of balls, in the arena or in Settings::broadphase starts
+  /// afresh. A ball whose position or reach is not finite is in no pair. `among` are the balls that
+  /// take part: all that did so in the last update and have not been removed since, and any others.
+  /// O(among), and what their pairs cost.
   void update(const World& world, std::span<const double> reach,
               std::span<const std::uint32_t> among);
 
   /// These take no part from the next update on, until they are among its balls again.
   void remove(std::span<const std::uint32_t> balls);
 
-  /// Of the last update, in no particular order; a pair stands at most once.
+  /// Of the last update, by (a, b), each once.
   const std::vector<BallPair>& ballPairs() const { return ballPairs_; }
+  /// In no particular order.
   const std::vector<std::uint32_t>& nearGround() const { return nearGround_; }
-  /// A ball may stand several times, once for each piece of the ring that it is near.
+  /// Likewise; a ball may stand several times, once for each piece of the ring that it is near.
   const std::vector<std::uint32_t>& nearWall() const { return nearWall_; }
 
   /// Proxies that the last update moved, added or removed, for benchmarks.
   std::int64_t moved() const { return moved_; }
 
  private:
-  struct Bullet;
+  struct Proxies;
   void build(const World& world);
-  bool isBuiltFor(const World& world, std::span<const std::uint32_t> among) const;
+  bool isBuiltFor(const World& world) const;
   void removeProxy(std::uint32_t ball);
+  void updateBoxes(const World& world, std::span<const double> reach,
+                   std::span<const std::uint32_t> among);
+  void updateSpheres(const World& world, std::span<const double> reach,
+                     std::span<const std::uint32_t> among);
   void list();
+  void take(std::uint32_t x, std::uint32_t y);
 
-  std::unique_ptr<Bullet> bullet_;
+  std::unique_ptr<Proxies> proxies_;
+  PairSorter sorter_;
   std::vector<BallPair> ballPairs_;
   std::vector<std::uint32_t> nearGround_;
   std::vector<std::uint32_t> nearWall_;

@@ -5,6 +5,7 @@
 
 #include "contacts/lasting_force.h"
 #include "contacts/partners.h"
+#include "contacts/substep_rules.h"
 
 namespace wells {
 namespace {
@@ -14,34 +15,16 @@ double sizeOf(const Arena& arena, const Balls& balls, const Contact& c) {
   return length(balls.position[c.a]) + length(arena.center) + arena.radius;
 }
 
-// Share of a remaining overlap between balls that one substep pushes out. All of it at once makes a
-// heap hop: each push-out creates the neighbour's overlap. The arena does not give way: all.
 template <class Partner>
-constexpr double kPushOut = 0.6;
+constexpr double kShareOut = kPushOut;
 template <>
-constexpr double kPushOut<ArenaPartner> = 1.0;
+constexpr double kShareOut<ArenaPartner> = kPushOutOfArena;
 
 // How deep a ball may be that leaves fast, in radii.
 template <class Partner>
 constexpr double kDeepest = std::numeric_limits<double>::infinity();
 template <>
-constexpr double kDeepest<ArenaPartner> = 0.99;
-
-// Overlap (of the smaller radius) that is left to balls which push on each other in an island that
-// is not solved directly. Pushed out to nothing, contacts open and close by rounding in every
-// substep, each loses the impulse that it had found, and the heap creeps for ever.
-constexpr double kLeftOverlap = 1e-3;
-
-// Passes that an island without impacts is given until it is solved, if the settings give fewer:
-// there impulses last, and what one substep finds serves the next. Until then a heap that should
-// stand creeps. An island is solved when a pass changes no velocity by more than kSolved of what
-// forces gave in the substep.
-constexpr int kPassesAtRest = 16;
-constexpr double kSolved = 1e-12;
-
-// What is further apart than this (of a radius) does not touch; and where forces move a ball
-// further within a substep, substeps are too coarse to tell what rests.
-constexpr double kNear = 0.01;
+constexpr double kDeepest<ArenaPartner> = kDeepestInArena;
 
 /// The normal half-way through the substep: there a force that lasted acted on the mean. With it,
 /// what rolls over another ball keeps its energy to second order, and two balls their angular
@@ -305,7 +288,7 @@ void pushOut(const Arena& arena, double h, Balls& balls, Contact& c) {
   const double depth =
       std::max(-c.gap - leaving - left, -c.gap - kDeepest<Partner> * balls.radius[c.a]);
   if (depth <= 0) return;
-  const Vec3 shift = (kPushOut<Partner> * depth * normalMass(c)) * c.normal;
+  const Vec3 shift = (kShareOut<Partner> * depth * normalMass(c)) * c.normal;
   balls.position[c.a] -= c.inverseMassA * shift;
   Partner::shift(balls, c, shift);
 }

@@ -35,6 +35,26 @@ constexpr std::optional<ContactMethod> contactMethod(std::string_view name) {
   return std::nullopt;
 }
 
+/// How candidate pairs are found. The results are the same, to the bit.
+enum class BroadphaseKind {
+  Auto,  // a grid where the radii are about the same, else a tree
+  Tree,  // Bullet's btDbvtBroadphase
+  Grid   // GridBroadphase, behind the same interface
+};
+
+inline constexpr std::array<std::string_view, 3> kBroadphaseNames = {"auto", "tree", "grid"};
+
+constexpr std::string_view name(BroadphaseKind kind) {
+  return kBroadphaseNames.at(static_cast<std::size_t>(kind));
+}
+
+/// Nothing where there is no such kind.
+constexpr std::optional<BroadphaseKind> broadphaseKind(std::string_view name) {
+  for (std::size_t i = 0; i < kBroadphaseNames.size(); ++i)
+    if (kBroadphaseNames.at(i) == name) return static_cast<BroadphaseKind>(i);
+  return std::nullopt;
+}
+
 struct Settings {
   // Physics.
   double dt = 1.0 / 60;              // s, > 0; one step
@@ -54,6 +74,7 @@ struct Settings {
                                          // the step (Exact) or are left to the substeps (Auto)
   double sleepSpeed = 1e-5;  // m/s, >= 0; lasting contacts slower than this rest, and islands at
                              // rest sleep (world/sleep.h); 0: none ever does
+  BroadphaseKind broadphase = BroadphaseKind::Auto;
 };
 
 }  // namespace wells

@@ -25,7 +25,7 @@ void transferVectors(auto& bytes, std::string_view name, auto& vectors) {
 
 void transferSettings(auto& bytes, auto& settings) {
   auto& [dt, gravity, drag, elasticity, friction, rollingResistance, integrator, contactMethod,
-         substeps, iterations, mostImpacts, sleepSpeed] = settings;
+         substeps, iterations, mostImpacts, sleepSpeed, broadphase] = settings;
   bytes.field(dt);
   bytes.field(gravity);
   bytes.field(drag);
@@ -38,6 +38,7 @@ void transferSettings(auto& bytes, auto& settings) {
   bytes.field(iterations);
   bytes.field(mostImpacts);
   bytes.field(sleepSpeed);
+  bytes.choice("settings.broadphase", broadphase, kBroadphaseNames.size());
 }
 
 void transferKeyframe(auto& bytes, auto& keyframe) {
@@ -100,10 +101,9 @@ void transferWorld(auto& bytes, auto& world) {
 }
 
 void transferContact(auto& bytes, auto& contact) {
-  auto& [a, b, impact, normalImpulse, tangentImpulse, rollingImpulse] = contact;
+  auto& [a, b, normalImpulse, tangentImpulse, rollingImpulse] = contact;
   bytes.field(a);
   bytes.field(b);
-  bytes.choice("impact of a contact", impact, 2);
   bytes.field(normalImpulse);
   bytes.field(tangentImpulse);
   bytes.field(rollingImpulse);
@@ -123,7 +123,7 @@ void transferRest(auto& bytes, auto& rest) {
 }
 
 void transferMemory(auto& bytes, auto& memory) {
-  constexpr std::size_t kContactSize = 4 + 4 + 1 + 8 + 24 + 24;
+  constexpr std::size_t kContactSize = 4 + 4 + 8 + 24 + 24;
   auto& [substep, ballContacts, arenaContacts, stepsInSubsteps, rest, carried] = memory;
   const auto transfer = [&](auto& contact) { transferContact(bytes, contact); };
   bytes.field(substep);

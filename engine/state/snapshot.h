@@ -31,7 +31,7 @@ struct Snapshot {
   std::vector<std::pair<std::string, std::string>> config{};
 };
 
-inline constexpr std::uint32_t kSnapshotVersion = 2;
+inline constexpr std::uint32_t kSnapshotVersion = 3;
 
 /// what() says what is wrong: no snapshot, another version, cut, altered, or a field with its value
 /// and what is allowed.

@@ -43,8 +43,7 @@ struct StepperMemory {
   struct Contact {
     std::uint32_t a = 0;
     std::uint32_t b = 0;  // a ball, kGround or kWall
-    bool impact = false;
-    double normalImpulse = 0;            // N s
+    double normalImpulse = 0;            // N s, > 0
     Vec3 tangentImpulse = Vec3::Zero();  // N s
     Vec3 rollingImpulse = Vec3::Zero();  // N m s
   };

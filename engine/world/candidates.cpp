@@ -2,18 +2,34 @@
 
 #include <algorithm>
 
+#include "contacts/contact.h"
 #include "world/advance.h"
 
 namespace wells {
+namespace {
+
+// Of Candidates::nearArena_.
+constexpr std::uint8_t kNearGround = 1;
+constexpr std::uint8_t kNearWall = 2;
+
+}  // namespace
 
 void Candidates::find(const World& world, std::span<const double> reach,
-                      std::span<const std::uint32_t> among, std::vector<Contact>& balls,
-                      std::vector<Contact>& arena) {
-  isLeaning_.resize(world.balls.size());
-  for (const std::uint32_t i : among) isLeaning_[i] = 0;
+                      std::span<const std::uint32_t> among) {
+  const Balls& balls = world.balls;
+  spheres_.resize(balls.size());
+  isLeaning_.resize(balls.size());
+  for (const std::uint32_t i : among) {
+    isLeaning_[i] = 0;
+    spheres_[i] = {balls.position[i], balls.radius[i] + reach[i]};
+  }
   broadphase_.update(world, reach, among);
-  findBalls(world, reach, balls);
-  findArena(world, reach, arena);
+  leaningPairs_.clear();
+  if (world.roles.empty())
+    findBalls();
+  else
+    findBallsAndLeaning(world);
+  findArena(world, reach, among);
 }
 
 std::int64_t Candidates::pairs() const {
@@ -21,49 +37,57 @@ std::int64_t Candidates::pairs() const {
                                    broadphase_.nearGround().size() + broadphase_.nearWall().size());
 }
 
-void Candidates::findBalls(const World& world, std::span<const double> reach,
-                           std::vector<Contact>& contacts) {
+void Candidates::findBalls() {
+  const std::vector<BallPair>& pairs = broadphase_.ballPairs();
+  ballPairs_.resize(pairs.size());
+  std::size_t count = 0;
+  // Without a branch for each: whether a pair is near cannot be foretold.
+  for (const BallPair& pair : pairs) {
+    const Sphere& a = spheres_[pair.a];
+    const Sphere& b = spheres_[pair.b];
+    const double bound = a.radius + b.radius;
+    ballPairs_[count] = pair;
+    count += squaredLength(b.center - a.center) <= bound * bound ? 1 : 0;
+  }
+  ballPairs_.resize(count);
+}
+
+void Candidates::findBallsAndLeaning(const World& world) {
   const Balls& balls = world.balls;
-  contacts.clear();
-  sorted_.clear();
-  leaning_.clear();
+  ballPairs_.clear();
   for (const BallPair& pair : broadphase_.ballPairs()) {
-    const double touching = balls.radius[pair.a] + balls.radius[pair.b];
-    const double squared = squaredLength(balls.position[pair.b] - balls.position[pair.a]);
-    if (!world.owns(pair.a) && !world.owns(pair.b)) {
-      const double leaning = touching * (1 + kLeaningGap);
-      if (squared >= leaning * leaning) continue;
-      isLeaning_[pair.a] = isLeaning_[pair.b] = 1;
-      leaning_.push_back(std::uint64_t{pair.a} << 32 | pair.b);
+    const auto [a, b] = pair;
+    const double squared = squaredLength(spheres_[b].center - spheres_[a].center);
+    if (world.owns(a) || world.owns(b)) {
+      const double bound = spheres_[a].radius + spheres_[b].radius;
+      if (squared <= bound * bound) ballPairs_.push_back(pair);
       continue;
     }
-    const double bound = touching + reach[pair.a] + reach[pair.b];
-    if (squared > bound * bound) continue;
-    sorted_.push_back(std::uint64_t{pair.a} << 32 | pair.b);
+    const double leaning = (balls.radius[a] + balls.radius[b]) * (1 + kLeaningGap);
+    if (squared >= leaning * leaning) continue;
+    isLeaning_[a] = isLeaning_[b] = 1;
+    leaningPairs_.push_back(pair);
   }
-  std::sort(sorted_.begin(), sorted_.end());
-  for (const std::uint64_t pair : sorted_)
-    contacts.push_back(
-        {.a = static_cast<std::uint32_t>(pair >> 32), .b = static_cast<std::uint32_t>(pair)});
 }
 
 void Candidates::findArena(const World& world, std::span<const double> reach,
-                           std::vector<Contact>& contacts) {
-  contacts.clear();
-  const auto collect = [&](const std::vector<std::uint32_t>& near, std::uint32_t partner) {
-    for (const std::uint32_t i : near)
-      if (mayTouchArena(world.arena, world.balls.position[i], world.balls.radius[i], reach[i],
-                        partner))
-        contacts.push_back({.a = i, .b = partner});
-  };
-  collect(broadphase_.nearWall(), kWall);
-  collect(broadphase_.nearGround(), kGround);
-  std::sort(contacts.begin(), contacts.end(), isBefore);
+                           std::span<const std::uint32_t> among) {
+  nearArena_.resize(world.balls.size());
+  for (const std::uint32_t i : among) nearArena_[i] = 0;
+  for (const std::uint32_t i : broadphase_.nearGround()) nearArena_[i] |= kNearGround;
   // A ball near two pieces of the wall stands twice.
-  contacts.erase(
-      std::unique(contacts.begin(), contacts.end(),
-                  [](const Contact& x, const Contact& y) { return x.a == y.a && x.b == y.b; }),
-      contacts.end());
+  for (const std::uint32_t i : broadphase_.nearWall()) nearArena_[i] |= kNearWall;
+  arenaPairs_.clear();
+  const auto add = [&](std::uint32_t i, std::uint32_t partner) {
+    if (mayTouchArena(world.arena, world.balls.position[i], world.balls.radius[i], reach[i],
+                      partner))
+      arenaPairs_.push_back({i, partner});
+  };
+  static_assert(kWall < kGround, "pairs are in order of (a, b)");
+  for (const std::uint32_t i : among) {
+    if (nearArena_[i] & kNearWall) add(i, kWall);
+    if (nearArena_[i] & kNearGround) add(i, kGround);
+  }
 }
 
 }  // namespace wells

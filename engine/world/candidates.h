@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "broadphase/broadphase.h"
-#include "contacts/contact.h"
 #include "state/world.h"
 
 namespace wells {
@@ -17,35 +16,50 @@ inline constexpr double kLeaningGap = 0.05;
 
 class Candidates {
  public:
-  /// Lists the contacts between balls and those with the arena, each by (a, b). reach[i] (m) bounds
-  /// how far ball i moves in the step; NaN: the ball is in no pair. `among` are the balls that take
-  /// part, as Broadphase has it.
-  void find(const World& world, std::span<const double> reach, std::span<const std::uint32_t> among,
-            std::vector<Contact>& balls, std::vector<Contact>& arena);
+  /// Lists the pairs that may touch in a step. reach[i] (m) bounds how far ball i moves in it; NaN:
+  /// the ball is in no pair. `among` are the balls that take part, rising ids, as Broadphase has
+  /// it.
+  void find(const World& world, std::span<const double> reach,
+            std::span<const std::uint32_t> among);
 
   /// These take no part from the next find() on, until they are among its balls again.
   void remove(std::span<const std::uint32_t> balls) { broadphase_.remove(balls); }
 
-  /// Of the last find(): pairs of the broadphase.
-  std::int64_t pairs() const;
+  // Of the last find(), all by (a, b), each once.
 
-  /// Of the last find(): pairs of balls that may touch, a in the upper half, b in the lower.
-  std::span<const std::uint64_t> ballPairs() const { return sorted_; }
-  /// Likewise, ghosts that touch ghosts or nearly do; see isLeaning().
-  std::span<const std::uint64_t> leaningPairs() const { return leaning_; }
+  std::span<const BallPair> ballPairs() const { return ballPairs_; }
+  /// b is kGround or kWall.
+  std::span<const BallPair> arenaPairs() const { return arenaPairs_; }
+  /// Ghosts that touch ghosts or nearly do; see isLeaning().
+  std::span<const BallPair> leaningPairs() const { return leaningPairs_; }
 
   /// By ball, 1 for ghosts that touch ghosts: a contact between other peers' balls is theirs to
   /// compute. Here such balls only stop falling, because what holds them is not known.
   std::span<const std::uint8_t> isLeaning() const { return isLeaning_; }
 
+  /// Pairs of the broadphase.
+  std::int64_t pairs() const;
+
  private:
-  void findBalls(const World& world, std::span<const double> reach, std::vector<Contact>& contacts);
-  void findArena(const World& world, std::span<const double> reach, std::vector<Contact>& contacts);
+  /// What a ball may touch in the step lies within this.
+  struct Sphere {
+    Vec3 center;    // m
+    double radius;  // m
+  };
+
+  void findBalls();
+  void findBallsAndLeaning(const World& world);
+  void findArena(const World& world, std::span<const double> reach,
+                 std::span<const std::uint32_t> among);
 
   Broadphase broadphase_;
-  std::vector<std::uint64_t> sorted_;   // a in the upper half, b in the lower
-  std::vector<std::uint64_t> leaning_;  // likewise
+  std::vector<BallPair> ballPairs_;
+  std::vector<BallPair> arenaPairs_;
+  std::vector<BallPair> leaningPairs_;
+  // By ball; only those of the last find() are valid.
   std::vector<std::uint8_t> isLeaning_;
+  std::vector<std::uint8_t> nearArena_;  // bits
+  std::vector<Sphere> spheres_;
 };
 
 }  // namespace wells

@@ -1,54 +1,84 @@
 #include "world/contact_memory.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace wells {
 namespace {
 
-std::vector<StepperMemory::Contact> saved(const std::vector<Contact>& contacts) {
-  std::vector<StepperMemory::Contact> list;
-  list.reserve(contacts.size());
-  for (const Contact& c : contacts)
-    list.push_back({c.a, c.b, c.impact, c.normalImpulse, c.tangentImpulse, c.rollingImpulse});
-  return list;
-}
-
-std::vector<Contact> restored(const std::vector<StepperMemory::Contact>& list) {
-  std::vector<Contact> contacts;
-  contacts.reserve(list.size());
-  for (const StepperMemory::Contact& c : list)
-    contacts.push_back({.a = c.a,
-                        .b = c.b,
-                        .impact = c.impact,
-                        .normalImpulse = c.normalImpulse,
-                        .tangentImpulse = c.tangentImpulse,
-                        .rollingImpulse = c.rollingImpulse});
-  return contacts;
+/// Not so beside a ball whose state stopped being finite.
+bool isFiniteImpulse(const StepperMemory::Contact& c) {
+  return std::isfinite(c.normalImpulse) && isFinite(c.tangentImpulse) && isFinite(c.rollingImpulse);
 }
 
 }  // namespace
 
-void ContactMemory::keep(std::vector<Contact>& balls, std::vector<Contact>& arena, double substep) {
-  std::swap(balls_, balls);
-  std::swap(arena_, arena);
+const ContactMemory::Kept* ContactMemory::find(std::uint32_t a, std::uint32_t b) const {
+  if (a + 1 >= firstOf_.size()) return nullptr;
+  for (std::uint32_t n = firstOf_[a]; n < firstOf_[a + 1]; ++n)
+    if (kept_[n].b == b) return isFiniteImpulse(kept_[n]) ? &kept_[n] : nullptr;
+  return nullptr;
+}
+
+void ContactMemory::start(Contact& contact, double substep) const {
+  const Kept* const kept = find(contact.a, contact.b);
+  if (!kept) return;
+  const double scale = scaleTo(substep);
+  contact.normalImpulse = scale * kept->normalImpulse;
+  contact.tangentImpulse = scale * kept->tangentImpulse;
+  contact.rollingImpulse = scale * kept->rollingImpulse;
+}
+
+void ContactMemory::forget(double substep) {
+  kept_.clear();
   substep_ = substep;
 }
 
-void ContactMemory::giveBack(std::span<const Contact> contacts) {
-  for (const Contact& c : contacts) (isBall(c.b) ? balls_ : arena_).push_back(c);
-  for (auto* list : {&balls_, &arena_}) std::ranges::sort(*list, isBefore);
+void ContactMemory::add(const Contact& c) {
+  if (c.impact || !(c.normalImpulse > 0)) return;
+  kept_.push_back({c.a, c.b, c.normalImpulse, c.tangentImpulse, c.rollingImpulse});
+}
+
+// By counting how many each ball has, then those few of a ball by comparing.
+void ContactMemory::arrange() {
+  index();
+  unsorted_.swap(kept_);
+  kept_.resize(unsorted_.size());
+  for (const Kept& c : unsorted_) kept_[firstOf_[c.a]++] = c;
+  const auto isBefore = [](const Kept& x, const Kept& y) { return x.b < y.b; };
+  std::uint32_t first = 0;
+  for (std::uint32_t& last : firstOf_) {
+    std::sort(kept_.begin() + first, kept_.begin() + last, isBefore);
+    std::swap(first, last);
+  }
+}
+
+/// Where the contacts of each ball begin, and behind all of them.
+void ContactMemory::index() {
+  std::uint32_t most = 0;
+  for (const Kept& c : kept_) most = std::max(most, c.a + 2);
+  firstOf_.assign(most, 0);
+  for (const Kept& c : kept_) ++firstOf_[c.a + 1];
+  for (std::uint32_t a = 1; a < most; ++a) firstOf_[a] += firstOf_[a - 1];
+}
+
+void ContactMemory::giveBack(std::span<const Kept> contacts) {
+  kept_.insert(kept_.end(), contacts.begin(), contacts.end());
+  arrange();
 }
 
 void ContactMemory::save(StepperMemory& memory) const {
   memory.substep = substep_;
-  memory.ballContacts = saved(balls_);
-  memory.arenaContacts = saved(arena_);
+  memory.ballContacts.clear();
+  memory.arenaContacts.clear();
+  for (const Kept& c : kept_)
+    (isBall(c.b) ? memory.ballContacts : memory.arenaContacts).push_back(c);
 }
 
 void ContactMemory::restore(const StepperMemory& memory) {
   substep_ = memory.substep;
-  balls_ = restored(memory.ballContacts);
-  arena_ = restored(memory.arenaContacts);
+  kept_ = memory.ballContacts;
+  giveBack(memory.arenaContacts);
 }
 
 }  // namespace wells

@@ -18,8 +18,9 @@ constexpr double kMostOverlap = 1e-9;  // of the radius
 
 /// Overlap beyond rounding has no instant at which it began, and is for the solver that pushes it
 /// out. In a heap some pair always overlaps, so this also spares it the search for impacts.
-bool anyOverlaps(const Arena& arena, std::span<const Contact> pairs, const Balls& balls) {
-  return std::any_of(pairs.begin(), pairs.end(), [&](Contact c) {
+bool anyOverlaps(const Arena& arena, std::span<const BallPair> pairs, const Balls& balls) {
+  return std::any_of(pairs.begin(), pairs.end(), [&](const BallPair& pair) {
+    Contact c{.a = pair.a, .b = pair.b};
     touch(arena, balls, c);
     const double smaller =
         isBall(c.b) ? std::min(balls.radius[c.a], balls.radius[c.b]) : balls.radius[c.a];
@@ -31,7 +32,8 @@ bool anyOverlaps(const Arena& arena, std::span<const Contact> pairs, const Balls
 }  // namespace
 
 IslandFate ExactFlight::run(const StepInput& in, std::span<const std::uint32_t> island,
-                            std::span<const Contact> pairs, std::span<double> reach, Balls& balls) {
+                            std::span<const BallPair> pairs, std::span<double> reach,
+                            Balls& balls) {
   if (anyOverlaps(*in.model.arena, pairs, balls)) return IslandFate::Sustained;
   begin(in, island, pairs, balls);
   IslandFate fate = simulate(in, pairs, reach, balls);
@@ -51,7 +53,7 @@ IslandFate ExactFlight::run(const StepInput& in, std::span<const std::uint32_t> 
 }
 
 void ExactFlight::begin(const StepInput& in, std::span<const std::uint32_t> island,
-                        std::span<const Contact> pairs, const Balls& balls) {
+                        std::span<const BallPair> pairs, const Balls& balls) {
   dt_ = in.settings.dt;
   counts_ = {};
   books_ = {};
@@ -77,7 +79,7 @@ void ExactFlight::begin(const StepInput& in, std::span<const std::uint32_t> isla
     foreseeEndOfMotion(in, i);
   }
   // The pairs of ball i are pairsOf_[firstPair_[i]] and the pairCount_[i] - 1 after it.
-  for (const Contact& pair : pairs) {
+  for (const BallPair& pair : pairs) {
     ++pairCount_[pair.a];
     if (isBall(pair.b)) ++pairCount_[pair.b];
   }
@@ -94,7 +96,7 @@ void ExactFlight::begin(const StepInput& in, std::span<const std::uint32_t> isla
   inCluster_.assign(pairs.size(), 0);
 }
 
-IslandFate ExactFlight::simulate(const StepInput& in, std::span<const Contact> pairs,
+IslandFate ExactFlight::simulate(const StepInput& in, std::span<const BallPair> pairs,
                                  std::span<double> reach, Balls& balls) {
   for (std::uint32_t p = 0; p < pairs.size(); ++p)
     if (!foresee(in, pairs, p)) return IslandFate::Sustained;
@@ -224,8 +226,8 @@ void ExactFlight::add(const Event& event) {
   std::push_heap(events_.begin(), events_.end(), later);
 }
 
-bool ExactFlight::foresee(const StepInput& in, std::span<const Contact> pairs, std::uint32_t p) {
-  const Contact& pair = pairs[p];
+bool ExactFlight::foresee(const StepInput& in, std::span<const BallPair> pairs, std::uint32_t p) {
+  const BallPair& pair = pairs[p];
   const Path& a = path_[pair.a];
   // Where a motion ends, its pairs are looked at again.
   double until = end_[pair.a];
@@ -244,7 +246,7 @@ bool ExactFlight::foresee(const StepInput& in, std::span<const Contact> pairs, s
   return true;
 }
 
-bool ExactFlight::foreseeCluster(const StepInput& in, std::span<const Contact> pairs) {
+bool ExactFlight::foreseeCluster(const StepInput& in, std::span<const BallPair> pairs) {
   for (const std::uint32_t i : clusterBalls_) foreseeEndOfMotion(in, i);
   for (const std::uint32_t i : clusterBalls_) {
     for (std::uint32_t k = 0; k < pairCount_[i]; ++k) {
@@ -263,7 +265,7 @@ bool ExactFlight::later(const Event& x, const Event& y) {
   return x.time != y.time ? x.time > y.time : x.pair > y.pair;
 }
 
-bool ExactFlight::isOutdated(std::span<const Contact> pairs, const Event& event) const {
+bool ExactFlight::isOutdated(std::span<const BallPair> pairs, const Event& event) const {
   if (event.versionA != version_[event.ball]) return true;
   if (event.pair == kEndOfMotion) return false;
   const std::uint32_t b = pairs[event.pair].b;
@@ -271,7 +273,7 @@ bool ExactFlight::isOutdated(std::span<const Contact> pairs, const Event& event)
 }
 
 // The event's pair, and whatever touches one of its balls at that time, and so on.
-void ExactFlight::gatherCluster(const StepInput& in, std::span<const Contact> pairs,
+void ExactFlight::gatherCluster(const StepInput& in, std::span<const BallPair> pairs,
                                 const Event& event, Balls& balls) {
   const Arena& arena = *in.model.arena;
   cluster_.clear();

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "broadphase/broadphase.h"
 #include "contacts/ledger.h"
 #include "state/world.h"
 
@@ -72,7 +73,7 @@ class ExactFlight {
   /// it is unchanged. reach[i] (m) is how far ball i may move for `pairs` to be complete; where
   /// TooFar is returned, it has been enlarged.
   IslandFate run(const StepInput& in, std::span<const std::uint32_t> island,
-                 std::span<const Contact> pairs, std::span<double> reach, Balls& balls);
+                 std::span<const BallPair> pairs, std::span<double> reach, Balls& balls);
 
   /// From now on runs are booked.
   void openBooks() { keepsBooks_ = true; }
@@ -94,8 +95,8 @@ class ExactFlight {
   static bool later(const Event& x, const Event& y);
 
   void begin(const StepInput& in, std::span<const std::uint32_t> island,
-             std::span<const Contact> pairs, const Balls& balls);
-  IslandFate simulate(const StepInput& in, std::span<const Contact> pairs, std::span<double> reach,
+             std::span<const BallPair> pairs, const Balls& balls);
+  IslandFate simulate(const StepInput& in, std::span<const BallPair> pairs, std::span<double> reach,
                       Balls& balls);
   /// At an event, with the states of the cluster's balls in `balls`.
   IslandFate resolve(const StepInput& in, double time, Balls& balls);
@@ -118,7 +119,7 @@ class ExactFlight {
   /// that rounding hides the hop.
   void endHops(const StepInput& in, double time, Balls& balls);
   /// Adds the next impact of pair p. False: its contact lasts.
-  bool foresee(const StepInput& in, std::span<const Contact> pairs, std::uint32_t p);
+  bool foresee(const StepInput& in, std::span<const BallPair> pairs, std::uint32_t p);
   /// Ball i has followed its path until t.
   void book(const StepInput& in, std::uint32_t i, double t, const Balls& balls);
   /// A surface may have taken hold of ball i, which had `before`.
@@ -126,9 +127,9 @@ class ExactFlight {
   void foreseeEndOfMotion(const StepInput& in, std::uint32_t ball);
   void add(const Event& event);
   /// Both for the cluster's balls and all their pairs.
-  bool foreseeCluster(const StepInput& in, std::span<const Contact> pairs);
-  bool isOutdated(std::span<const Contact> pairs, const Event& event) const;
-  void gatherCluster(const StepInput& in, std::span<const Contact> pairs, const Event& event,
+  bool foreseeCluster(const StepInput& in, std::span<const BallPair> pairs);
+  bool isOutdated(std::span<const BallPair> pairs, const Event& event) const;
+  void gatherCluster(const StepInput& in, std::span<const BallPair> pairs, const Event& event,
                      Balls& balls);
   /// Bound (m/s^2) on what presses a contact together.
   double pressingBound(const StepInput& in, double time, const Contact& c,

@@ -11,7 +11,7 @@ constexpr std::uint32_t kNone = 0xffffffff;
 
 }  // namespace
 
-void Islands::find(std::span<const Contact> ballContacts, std::span<const Contact> arenaContacts,
+void Islands::find(std::span<const BallPair> ballPairs, std::span<const BallPair> arenaPairs,
                    std::span<const std::uint32_t> among) {
   const std::size_t size = among.empty() ? 0 : among.back() + 1;
   if (parent_.size() < size) {
@@ -24,8 +24,8 @@ void Islands::find(std::span<const Contact> ballContacts, std::span<const Contac
     islandOf_[i] = kNone;
     isPaired_[i] = 0;
   }
-  for (const Contact& c : arenaContacts) isPaired_[c.a] = 1;
-  for (const Contact& c : ballContacts) {
+  for (const BallPair& c : arenaPairs) isPaired_[c.a] = 1;
+  for (const BallPair& c : ballPairs) {
     isPaired_[c.a] = isPaired_[c.b] = 1;
     const std::uint32_t a = rootOf(parent_, c.a);
     const std::uint32_t b = rootOf(parent_, c.b);
@@ -50,8 +50,8 @@ void Islands::find(std::span<const Contact> ballContacts, std::span<const Contac
     ++ballStart_[islandOf_[i] + 1];
   }
   pairStart_.assign(ballStart_.size(), 0);
-  for (const auto& list : {ballContacts, arenaContacts})
-    for (const Contact& c : list) ++pairStart_[islandOf_[c.a] + 1];
+  for (const auto& list : {ballPairs, arenaPairs})
+    for (const BallPair& c : list) ++pairStart_[islandOf_[c.a] + 1];
   std::partial_sum(ballStart_.begin(), ballStart_.end(), ballStart_.begin());
   std::partial_sum(pairStart_.begin(), pairStart_.end(), pairStart_.begin());
 
@@ -61,8 +61,8 @@ void Islands::find(std::span<const Contact> ballContacts, std::span<const Contac
   for (const std::uint32_t i : among)
     if (islandOf_[i] != kNone) balls_[next_[islandOf_[i]]++] = i;
   next_.assign(pairStart_.begin(), pairStart_.end() - 1);
-  for (const auto& list : {ballContacts, arenaContacts})
-    for (const Contact& c : list) pairs_[next_[islandOf_[c.a]]++] = c;
+  for (const auto& list : {ballPairs, arenaPairs})
+    for (const BallPair& c : list) pairs_[next_[islandOf_[c.a]]++] = c;
 }
 
 }  // namespace wells

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "contacts/contact.h"
+#include "broadphase/broadphase.h"
 
 namespace wells {
 
@@ -14,7 +14,7 @@ class Islands {
  public:
   /// Splits `among`, rising ids, by the pairs, which name no others. Both lists are in order of (a,
   /// b). A ball in no pair is in no island.
-  void find(std::span<const Contact> ballContacts, std::span<const Contact> arenaContacts,
+  void find(std::span<const BallPair> ballPairs, std::span<const BallPair> arenaPairs,
             std::span<const std::uint32_t> among);
 
   std::size_t count() const { return ballStart_.empty() ? 0 : ballStart_.size() - 1; }
@@ -26,7 +26,7 @@ class Islands {
   }
 
   /// Those between balls first, then those with the arena, each in the order of the lists.
-  std::span<const Contact> pairs(std::size_t island) const {
+  std::span<const BallPair> pairs(std::size_t island) const {
     return std::span(pairs_).subspan(pairStart_[island],
                                      pairStart_[island + 1] - pairStart_[island]);
   }
@@ -38,7 +38,7 @@ class Islands {
   std::vector<std::uint8_t> isPaired_;
   // By island.
   std::vector<std::uint32_t> balls_, ballStart_, pairStart_, next_;
-  std::vector<Contact> pairs_;
+  std::vector<BallPair> pairs_;
 };
 
 }  // namespace wells

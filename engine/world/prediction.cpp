@@ -22,7 +22,9 @@ class LoneBall {
     if (!isFinite(start)) return;
     reach_ = reachOf(field, start, ball.radius[kBall], world_.settings.dt);
     for (int attempts = 1; !attempt(field, ball, attempts); ++attempts) ball.setState(kBall, start);
-    memory_.keep(plan_.ballContacts, plan_.arenaContacts, substep_);
+    memory_.forget(substep_);
+    for (const Contact& c : plan_.arenaContacts) memory_.add(c);
+    memory_.arrange();
   }
 
  private:
@@ -32,16 +34,15 @@ class LoneBall {
     findContacts(ball);
     const StepInput input(world_, field, integrator_);
     const ContactMethod method = methodOf(world_.settings, field, integrator_);
-    if (method != ContactMethod::Substep && !plan_.arenaContacts.empty()) {
-      const IslandFate fate =
-          exact_.run(input, {&kBall, 1}, plan_.arenaContacts, {&reach_, 1}, ball);
+    if (method != ContactMethod::Substep && !pairs_.empty()) {
+      const IslandFate fate = exact_.run(input, {&kBall, 1}, pairs_, {&reach_, 1}, ball);
       if (fate == IslandFate::TooFar && attempts <= kMostExactAttempts) return false;
       if (fate == IslandFate::Done) {
         plan_.arenaContacts.clear();
         return true;
       }
     }
-    memory_.start(plan_.ballContacts, plan_.arenaContacts, substep_, [](const Contact&) {});
+    for (Contact& c : plan_.arenaContacts) memory_.start(c, substep_);
     plan_.free.clear();
     plan_.touching.clear();
     (plan_.arenaContacts.empty() ? plan_.free : plan_.touching).push_back(kBall);
@@ -50,15 +51,18 @@ class LoneBall {
   }
 
   void findContacts(const Balls& ball) {
+    pairs_.clear();
     plan_.arenaContacts.clear();
     // In order of the partner's number, as the simulation has them.
     for (const std::uint32_t partner : {kWall, kGround})
       if (mayTouchArena(world_.arena, ball.position[kBall], ball.radius[kBall], reach_, partner))
-        plan_.arenaContacts.push_back({.a = kBall, .b = partner});
+        pairs_.push_back({kBall, partner});
+    for (const auto& [a, b] : pairs_) plan_.arenaContacts.push_back({.a = a, .b = b});
   }
 
   const World& world_;
   const Integrator& integrator_;
+  std::vector<BallPair> pairs_;
   StepPlan plan_;
   ContactMemory memory_;
   ExactFlight exact_;

@@ -12,6 +12,7 @@
 #include "world/candidates.h"
 #include "world/contact_choice.h"
 #include "world/contact_memory.h"
+#include "world/crowd.h"
 #include "world/exact_flight.h"
 #include "world/islands.h"
 #include "world/sleep.h"
@@ -40,6 +41,7 @@ class Simulation : public Stepper {
   bool openStageClock() override {
     clock_ = std::make_unique<StageClock>();
     plan_.workspace.clock = clock_.get();
+    crowd_.setClock(clock_.get());
     return true;
   }
 
@@ -122,27 +124,31 @@ class Simulation : public Stepper {
     counts_ = {};
     stepBooks_ = {};
     counts_.flightStretches = field_.stretches;
-    planContacts(world);
+    findPairs(world);
     const StepInput input(world, field_, integrator);
     const bool mayHandOver = attempts > kMostExactAttempts && !isLossless(world.settings);
     const auto lastResort = mayHandOver ? WhenTooFar::HandOver : WhenTooFar::StartOver;
     if (method_ != ContactMethod::Substep && !moveByEvents(input, lastResort, world)) return false;
-    startFromOldImpulses(world);
+    moveCrowds(input, world);
+    planSmallIslands(world);
     planFlights();
-    counts_.substepBalls = static_cast<std::int64_t>(plan_.touching.size());
     const ResolvedCounts resolved = advance(world.settings, input.model, plan_, world.balls,
                                             keeper_.books() ? &stepBooks_ : nullptr);
+    counts_.substepBalls += static_cast<std::int64_t>(plan_.touching.size());
     counts_.directContacts = resolved.direct;
     counts_.unsolvedIslands = resolved.unsolved;
     return enlargeReaches(world) == 0;
   }
 
   void commit(World& world, const Integrator& integrator) {
-    StageScope stage(clock_.get(), Stage::Other);
+    StageScope stage(clock_.get(), Stage::Prepare);
     ++world.step;
+    keepContacts();
+    stage.next(Stage::Other);
     if (!world.roles.empty()) findLeaning(world);
-    stage.next(Stage::Prepare);
-    contactMemory_.keep(plan_.ballContacts, plan_.arenaContacts, substepOf(world.settings));
+    stage.next(Stage::Candidates);
+    countLatePairs(world);
+    stage.next(Stage::Other);
     for (const std::uint32_t i : sleep_.awake()) stepsInSubsteps_[i] = nextStepsInSubsteps_[i];
     findQuarantined(world.balls);
     stage.next(Stage::Sleep);
@@ -161,8 +167,8 @@ class Simulation : public Stepper {
     std::vector<std::uint8_t>& leaning = world.leaning;
     leaning.resize(world.balls.size(), 0);
     for (const std::uint32_t i : sleep_.awake()) leaning[i] = candidates_.isLeaning()[i];
-    for (const Contact& c : plan_.ballContacts)
-      if (c.normalImpulse > 0) leaning[c.a] = leaning[c.b] = 1;
+    for (const ContactMemory::Kept& c : contactMemory_.contacts())
+      if (isBall(c.b)) leaning[c.a] = leaning[c.b] = 1;
   }
 
   void findQuarantined(const Balls& balls) {
@@ -175,12 +181,10 @@ class Simulation : public Stepper {
 
   /// All islands that go by exact impacts. False: reaches were too short and have been enlarged.
   bool moveByEvents(const StepInput& input, WhenTooFar whenTooFar, World& world) {
-    StageScope stage(clock_.get(), Stage::Islands);
+    const StageScope stage(clock_.get(), Stage::Exact);
     bool isComplete = true;
     Balls& balls = world.balls;
     const auto isLeaning = candidates_.isLeaning();
-    islands_.find(plan_.ballContacts, plan_.arenaContacts, sleep_.awake());
-    stage.next(Stage::Exact);
     for (std::size_t n = 0; n < islands_.count(); ++n) {
       const auto island = islands_.balls(n);
       if (std::any_of(island.begin(), island.end(), [&](auto i) { return isLeaning[i] != 0; }))
@@ -203,17 +207,34 @@ class Simulation : public Stepper {
           for (const std::uint32_t i : island) nextStepsInSubsteps_[i] = kCrowdSteps;
         continue;
       }
-      for (const std::uint32_t i : island) isDone_[i] = 1;
+      markDone(n);
       stepBooks_ += exact_.books();
       counts_.impacts += exact_.counts().impacts;
       counts_.clusters += exact_.counts().clusters;
       counts_.exactBalls += static_cast<std::int64_t>(island.size());
     }
-    if (!isComplete) return false;
-    const auto isDone = [&](const Contact& c) { return isDone_[c.a] != 0; };
-    std::erase_if(plan_.ballContacts, isDone);
-    std::erase_if(plan_.arenaContacts, isDone);
-    return true;
+    return isComplete;
+  }
+
+  void markDone(std::size_t island) {
+    isIslandDone_[island] = 1;
+    for (const std::uint32_t i : islands_.balls(island)) isDone_[i] = 1;
+  }
+
+  /// Large islands that events did not move. Rolling resistance is left to the solver of small
+  /// ones, which has it.
+  void moveCrowds(const StepInput& input, World& world) {
+    nextMemory_.forget(substepOf(world.settings));
+    if (world.settings.rollingResistance > 0) return;
+    for (std::size_t n = 0; n < islands_.count(); ++n) {
+      const auto island = islands_.balls(n);
+      if (isIslandDone_[n] || island.size() <= kCrowd) continue;
+      crowd_.step(world.settings, input.model, island, islands_.pairs(n), candidates_.isLeaning(),
+                  contactMemory_, world.balls, keeper_.books() ? &stepBooks_ : nullptr);
+      crowd_.keep(islands_.pairs(n), nextMemory_);
+      counts_.substepBalls += static_cast<std::int64_t>(island.size());
+      markDone(n);
+    }
   }
 
   [[noreturn]] static void giveUp(const World& world, std::span<const std::uint32_t> island) {
@@ -233,27 +254,30 @@ class Simulation : public Stepper {
     return enlarged;
   }
 
-  void planContacts(const World& world) {
-    const StageScope stage(clock_.get(), Stage::Candidates);
-    candidates_.find(world, reach_, sleep_.awake(), plan_.ballContacts, plan_.arenaContacts);
+  void findPairs(const World& world) {
+    StageScope stage(clock_.get(), Stage::Candidates);
+    candidates_.find(world, reach_, sleep_.awake());
     counts_.candidatePairs = candidates_.pairs();
     counts_.contacts =
-        static_cast<std::int64_t>(plan_.ballContacts.size() + plan_.arenaContacts.size());
+        static_cast<std::int64_t>(candidates_.ballPairs().size() + candidates_.arenaPairs().size());
+    stage.next(Stage::Islands);
+    islands_.find(candidates_.ballPairs(), candidates_.arenaPairs(), sleep_.awake());
+    isIslandDone_.assign(islands_.count(), 0);
     for (const std::uint32_t i : sleep_.awake()) isDone_[i] = nextStepsInSubsteps_[i] = 0;
   }
 
-  void startFromOldImpulses(const World& world) {
+  void planSmallIslands(const World& world) {
     const StageScope stage(clock_.get(), Stage::Prepare);
-    contactMemory_.start(
-        plan_.ballContacts, plan_.arenaContacts, substepOf(world.settings), [&](Contact c) {
-          // Already deep in overlap and never announced: the broadphase, or our bound on how far a
-          // ball moves, has missed it. Other peers' balls jump when their states arrive.
-          touchBalls(world.balls, c);
-          const double tolerated =
-              kLateOverlap * (world.balls.radius[c.a] + world.balls.radius[c.b]);
-          if (!contactMemory_.isEmpty() && c.gap < -tolerated && world.owns(c.a) && world.owns(c.b))
-            ++counts_.latePairs;
-        });
+    plan_.ballContacts.clear();
+    plan_.arenaContacts.clear();
+    for (std::size_t n = 0; n < islands_.count(); ++n) {
+      if (isIslandDone_[n]) continue;
+      for (const auto& [a, b] : islands_.pairs(n)) {
+        auto& contacts = isBall(b) ? plan_.ballContacts : plan_.arenaContacts;
+        contacts.push_back({.a = a, .b = b});
+        contactMemory_.start(contacts.back(), substepOf(world.settings));
+      }
+    }
     // Where friction has just been switched off, no solver would ever take these back.
     const auto forget = [&](Vec3 Contact::*impulse) {
       for (auto* contacts : {&plan_.ballContacts, &plan_.arenaContacts})
@@ -261,6 +285,35 @@ class Simulation : public Stepper {
     };
     if (world.settings.friction == 0) forget(&Contact::tangentImpulse);
     if (world.settings.rollingResistance == 0) forget(&Contact::rollingImpulse);
+  }
+
+  void keepContacts() {
+    for (const auto* contacts : {&plan_.ballContacts, &plan_.arenaContacts})
+      for (const Contact& c : *contacts) nextMemory_.add(c);
+    nextMemory_.arrange();
+    std::swap(contactMemory_, nextMemory_);
+  }
+
+  /// A pair that was deep in overlap when it was first announced, by balls that took part in the
+  /// step before: the broadphase, or our bound on how far a ball moves, has missed it. Other peers'
+  /// balls jump when their states arrive.
+  void countLatePairs(const World& world) {
+    lastStep_.resize(world.balls.size(), kNoStep);
+    auto old = oldPairs_.begin();
+    const auto pairs = candidates_.ballPairs();
+    for (const BallPair& pair : pairs) {
+      while (old != oldPairs_.end() && (old->a != pair.a ? old->a < pair.a : old->b < pair.b))
+        ++old;
+      if (old != oldPairs_.end() && *old == pair) continue;
+      const auto [a, b] = pair;
+      if (lastStep_[a] + 1 != world.step || lastStep_[b] + 1 != world.step) continue;
+      if (!world.owns(a) || !world.owns(b)) continue;
+      const double touching = world.balls.radius[a] + world.balls.radius[b];
+      const double apart = length(start_[b].position - start_[a].position);
+      if (apart - touching < -kLateOverlap * touching) ++counts_.latePairs;
+    }
+    oldPairs_.assign(pairs.begin(), pairs.end());
+    for (const std::uint32_t i : sleep_.awake()) lastStep_[i] = world.step;
   }
 
   void planFlights() {
@@ -279,10 +332,13 @@ class Simulation : public Stepper {
   }
 
   static constexpr double kLateOverlap = 1e-6;  // of the sum of radii
+  static constexpr std::int64_t kNoStep = -2;
 
   // Kept from step to step.
   Candidates candidates_;
   ContactMemory contactMemory_;
+  std::vector<BallPair> oldPairs_;             // of balls, of the step before
+  std::vector<std::int64_t> lastStep_;         // by ball, in which it took part
   std::vector<std::uint8_t> stepsInSubsteps_;  // by ball, see StepperMemory
   Sleep sleep_;
   BookKeeper keeper_;
@@ -302,7 +358,10 @@ class Simulation : public Stepper {
   std::vector<std::uint8_t> isTouching_;
   std::vector<std::uint8_t> nextStepsInSubsteps_;
   Islands islands_;
+  std::vector<std::uint8_t> isIslandDone_;
   ExactFlight exact_;
+  Crowd crowd_;
+  ContactMemory nextMemory_;
   StepPlan plan_;
   Books stepBooks_;
 };

@@ -15,7 +15,9 @@ namespace {
 /// Of all that holds for every ball alike and may be changed between two steps.
 std::uint64_t conditionsOf(const World& world) {
   const auto& [dt, gravity, drag, elasticity, friction, rollingResistance, integrator,
-               contactMethod, substeps, iterations, mostImpacts, sleepSpeed] = world.settings;
+               contactMethod, substeps, iterations, mostImpacts, sleepSpeed, broadphase] =
+      world.settings;
+  static_cast<void>(broadphase);  // changes no result
   Hash hash;
   for (const double number : {dt, drag, elasticity, friction, rollingResistance, sleepSpeed})
     hash.add(number);
@@ -243,12 +245,10 @@ void Sleep::end(World& world, const Field& field, const Candidates& candidates, 
 
 bool Sleep::anyHasRested(const World& world, const ContactMemory& memory) {
   for (const std::uint32_t i : awake_) isPressed_[i] = 0;
-  for (const auto& contacts : {memory.balls(), memory.arena()})
-    for (const Contact& c : contacts) {
-      if (c.impact || !(c.normalImpulse > 0)) continue;
-      isPressed_[c.a] = 1;
-      if (isBall(c.b)) isPressed_[c.b] = 1;
-    }
+  for (const StepperMemory::Contact& c : memory.contacts()) {
+    isPressed_[c.a] = 1;
+    if (isBall(c.b)) isPressed_[c.b] = 1;
+  }
   const std::uint32_t needed = restSteps(world.settings.dt);
   bool anyHas = false;
   for (const std::uint32_t i : awake_) {
@@ -275,19 +275,16 @@ void Sleep::findIslands(const World& world, const Field& field, const Candidates
   const auto join = [&](std::uint32_t a, std::uint32_t b) {
     island_[rootOf(island_, a)] = rootOf(island_, b);
   };
-  for (const Contact& c : memory.balls())
-    if (c.normalImpulse > 0) join(c.a, c.b);
+  for (const StepperMemory::Contact& c : memory.contacts())
+    if (isBall(c.b)) join(c.a, c.b);
   // As wakeAhead() has it: an island whose neighbour stays awake would wake at once.
   for (const std::uint32_t i : awake_)
     ahead_[i] = (length(balls.velocity[i]) + pullOf(field, balls.position[i], dt)) * dt;
-  for (const std::uint64_t pair : candidates.ballPairs()) {
-    const auto a = static_cast<std::uint32_t>(pair >> 32);
-    const auto b = static_cast<std::uint32_t>(pair);
+  for (const auto& [a, b] : candidates.ballPairs()) {
     const double bound = balls.radius[a] + balls.radius[b] + std::max(ahead_[a], ahead_[b]);
     if (squaredLength(balls.position[b] - balls.position[a]) <= bound * bound) join(a, b);
   }
-  for (const std::uint64_t pair : candidates.leaningPairs())
-    join(static_cast<std::uint32_t>(pair >> 32), static_cast<std::uint32_t>(pair));
+  for (const auto& [a, b] : candidates.leaningPairs()) join(a, b);
 
   for (const std::uint32_t i : awake_) rest_[i] = {};
   const std::uint32_t needed = restSteps(dt);
@@ -320,7 +317,7 @@ void Sleep::letSleep(World& world, const Field& field, std::uint32_t ball, std::
 
 void Sleep::takeContacts(ContactMemory& memory) {
   const auto isAsleep = [&](std::uint32_t i) { return group_[i] != kAwake; };
-  memory.take(isAsleep, [&](const Contact& c) {
+  memory.take(isAsleep, [&](const StepperMemory::Contact& c) {
     if (isAsleep(c.a) && (!isBall(c.b) || group_[c.a] == group_[c.b]))
       groups_[group_[c.a]].contacts.push_back(c);
   });
@@ -334,7 +331,7 @@ void Sleep::save(StepperMemory::Rest& rest, ContactMemory& contacts) const {
   rest.position = position_;
   rest.acceleration = acceleration_;
   rest.isGhost = isGhost_;
-  std::vector<Contact> kept;
+  std::vector<StepperMemory::Contact> kept;
   for (const auto& [lowest, group] : groups_)
     kept.insert(kept.end(), group.contacts.begin(), group.contacts.end());
   contacts.giveBack(kept);

@@ -79,7 +79,7 @@ class Sleep {
 
   struct Group {
     std::vector<std::uint32_t> balls;
-    std::vector<Contact> contacts;
+    std::vector<StepperMemory::Contact> contacts;
   };
   /// Where a ball may get to in a step: along `path`, give or take `slack`.
   struct Sweep {
@@ -139,7 +139,7 @@ class Sleep {
   std::vector<std::uint32_t> woken_;
   std::vector<std::uint32_t> fallen_;
   std::vector<std::uint32_t> found_;
-  std::vector<Contact> returned_;  // of islands that wake
+  std::vector<StepperMemory::Contact> returned_;  // of islands that wake
 };
 
 }  // namespace wells

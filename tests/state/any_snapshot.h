@@ -37,7 +37,6 @@ inline std::vector<Vec3> anyVectors(Random& random, std::size_t count) {
 inline StepperMemory::Contact anyContact(Random& random, std::uint32_t a, std::uint32_t b) {
   return {.a = a,
           .b = b,
-          .impact = random.below(2) == 1,
           .normalImpulse = anyDouble(random),
           .tangentImpulse = anyVector(random),
           .rollingImpulse = anyVector(random)};
@@ -114,7 +113,7 @@ inline bool same(const WellKeyframe& a, const WellKeyframe& b) {
 }
 
 inline bool same(const StepperMemory::Contact& a, const StepperMemory::Contact& b) {
-  return a.a == b.a && a.b == b.b && a.impact == b.impact &&
+  return a.a == b.a && a.b == b.b &&
          same(a.normalImpulse, b.normalImpulse) && same(a.tangentImpulse, b.tangentImpulse) &&
          same(a.rollingImpulse, b.rollingImpulse);
 }

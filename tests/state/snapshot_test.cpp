@@ -80,7 +80,7 @@ TEST(Snapshot, HasTheDocumentedLayout) {
   snapshot.engine = "e";
   const std::string bytes = encode(snapshot);
   EXPECT_EQ(bytes.substr(0, 8), "wellsnap");
-  EXPECT_EQ(bytes.substr(kVersionAt, 4), std::string("\2\0\0\0", 4));
+  EXPECT_EQ(bytes.substr(kVersionAt, 4), std::string("\3\0\0\0", 4));
   EXPECT_EQ(static_cast<unsigned char>(bytes[kLengthAt]) +
                 256u * static_cast<unsigned char>(bytes[kLengthAt + 1]),
             bytes.size());
@@ -131,7 +131,7 @@ TEST(Snapshot, SaysWhatIsWrongWithTheHead) {
   EXPECT_TRUE(contains(errorOf("id"), "not a snapshot"));
   std::string newer = bytes;
   put(newer, kVersionAt, 7, 4);
-  EXPECT_EQ(errorOf(sealed(newer)), "is of format version 7; this program reads 2");
+  EXPECT_EQ(errorOf(sealed(newer)), "is of format version 7; this program reads 3");
   EXPECT_TRUE(contains(errorOf(bytes + "x"), "altered: has "));
   std::string huge = bytes;
   put(huge, kLengthAt, ~0ull, 8);

@@ -1,0 +1,285 @@
+#include "broadphase/cell_grid.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace wells {
+namespace {
+
+// With at most so many boxes, all are compared with all.
+constexpr std::size_t kFewBoxes = 48;
+// From so many, evenly spread over the list, the size of a cell and its place are found.
+constexpr std::size_t kSizeSample = 256;
+constexpr std::size_t kPlaceSample = 64;
+// Boxes up to so much larger than the largest of the sample still go into cells.
+constexpr double kSizeMargin = 1.1;
+constexpr int kSortsWithOnePlace = 16;
+// The number of a cell is exact to 2^-22 of a cell up to so many cells from the anchor; cells are
+// larger than boxes by more than that.
+constexpr double kMostCellsAway = 1e9;
+constexpr double kCellOffset = 1 << 30;
+constexpr double kCellMargin = 1e-5;
+constexpr double kLargestLength = 1e15;  // m, whose square is a float
+// Of a coordinate and of a size: more than single precision loses in the tests.
+constexpr double kCoordinateLoss = 1.0 / (1 << 22);
+constexpr double kSizeLoss = 1.0 / (1 << 20);
+
+// Partners that are made room for at a time, in slots.
+constexpr std::size_t kMostRoom = 1 << 16;
+
+std::array<double, 3> centerOf(const btBroadphaseProxy& box) {
+  std::array<double, 3> center{};
+  for (int k = 0; k < 3; ++k) center[k] = 0.5 * (box.m_aabbMin[k] + box.m_aabbMax[k]);
+  return center;
+}
+
+std::size_t strideOf(std::size_t size, std::size_t sample) {
+  return std::max<std::size_t>(1, size / sample);
+}
+
+double halfSizeOf(const btBroadphaseProxy& box) {
+  double half = 0;
+  for (int k = 0; k < 3; ++k) half = std::max(half, 0.5 * (box.m_aabbMax[k] - box.m_aabbMin[k]));
+  return half;
+}
+
+}  // namespace
+
+void CellGrid::sort(std::span<btBroadphaseProxy* const> boxes) {
+  layOut(boxes);
+  entries_.clear();
+  large_.clear();
+  start_.assign((std::size_t{1} << (bits_[0] + bits_[1] + bits_[2])) + 1, 0);
+  Entry entry{};
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    entry.box = static_cast<std::uint32_t>(i);
+    if (!enter(*boxes[i], entry)) {
+      large_.push_back(entry.box);
+      continue;
+    }
+    ++start_[entry.cell];
+    entries_.push_back(entry);
+  }
+  fillSlots();
+  if (!large_.empty()) boundBlocks();
+}
+
+void CellGrid::layOut(std::span<btBroadphaseProxy* const> boxes) {
+  const std::size_t stride = strideOf(boxes.size(), kSizeSample);
+  double half = 0;
+  for (std::size_t i = 0; i < boxes.size(); i += stride)
+    if (const double size = halfSizeOf(*boxes[i]); size <= kLargestLength / 4)
+      half = std::max(half, size);
+  size_ = half > 0 ? 2 * half * (1 + kCellMargin) * (stride > 1 ? kSizeMargin : 1) : 1;
+  if (--sortsLeft_ >= 0 && placedFor_ == boxes.size()) return;
+  choosePlace(boxes);
+  placedFor_ = boxes.size();
+  sortsLeft_ = kSortsWithOnePlace;
+}
+
+/// The grid covers most boxes once, and has about as many cells as there are boxes.
+void CellGrid::choosePlace(std::span<btBroadphaseProxy* const> boxes) {
+  std::array<std::array<double, kPlaceSample>, 3> sample{};
+  std::size_t size = 0;
+  const std::size_t stride = strideOf(boxes.size(), kPlaceSample);
+  for (std::size_t i = 0; i < boxes.size() && size < kPlaceSample; i += stride) {
+    const auto center = centerOf(*boxes[i]);
+    if (!std::ranges::all_of(center, [](double x) { return std::isfinite(x); })) continue;
+    for (int k = 0; k < 3; ++k) sample[k][size] = center[k];
+    ++size;
+  }
+  bits_ = {};
+  anchor_ = {};
+  if (size == 0) return;
+  std::uint32_t sum = 0;
+  for (int k = 0; k < 3; ++k) {
+    const std::span values(sample[k].data(), size);
+    std::ranges::sort(values);
+    const double low = values[size / 10];
+    const double high = values[size - 1 - size / 10];
+    anchor_[k] = low + 0.5 * (high - low);
+    const double cells = std::clamp((high - low) / (0.8 * size_), 1.0, 1e6);
+    bits_[k] = std::max(2u, static_cast<std::uint32_t>(std::ceil(std::log2(cells))));
+    sum += bits_[k];
+  }
+  if (boxes.size() <= kFewBoxes) {
+    bits_ = {};
+    return;
+  }
+  const auto most = std::max(6u, static_cast<std::uint32_t>(std::bit_width(boxes.size())));
+  for (; sum > most; --sum) --*std::ranges::max_element(bits_);
+}
+
+/// False for one that is to be kept apart.
+bool CellGrid::enter(const btBroadphaseProxy& box, Entry& entry) const {
+  const auto center = centerOf(box);
+  const double inverse = 1 / size_;
+  const double farthest = std::min(kMostCellsAway * size_, kLargestLength);
+  double away = 0;
+  std::uint32_t cell = 0;
+  for (int k = 2; k >= 0; --k) {
+    const double x = center[k] - anchor_[k];
+    if (!(std::abs(x) <= farthest)) return false;
+    away = std::max(away, std::abs(x));
+    entry.center[k] = static_cast<float>(x);
+    const auto number = static_cast<std::uint64_t>(x * inverse + kCellOffset);
+    cell = cell << bits_[k] | (static_cast<std::uint32_t>(number) & ((1u << bits_[k]) - 1));
+  }
+  entry.cell = cell;
+  for (int k = 0; k < 3; ++k) {
+    const double half = 0.5 * (box.m_aabbMax[k] - box.m_aabbMin[k]);
+    if (!(2 * half * (1 + kCellMargin) <= size_)) return false;
+    entry.half[k] = static_cast<float>((half + kCoordinateLoss * away) * (1 + kSizeLoss));
+  }
+  return true;
+}
+
+void CellGrid::fillSlots() {
+  std::uint32_t sum = 0;
+  for (std::uint32_t& start : start_) sum += std::exchange(start, sum);
+  const std::size_t count = entries_.size();
+  const bool areSpheres = content_ == BoxContent::Spheres;
+  sorted_.content = content_;
+  for (auto* numbers : {&sorted_.x, &sorted_.y, &sorted_.z, &sorted_.halfX})
+    numbers->resize(count + SortedBoxes::kRoom);
+  for (auto* numbers : {&sorted_.halfY, &sorted_.halfZ})
+    numbers->resize(areSpheres ? 0 : count + SortedBoxes::kRoom);
+  cellOf_.resize(count);
+  boxOf_.resize(count);
+  // start_[cell] runs to the end of its cell, where the next one's was; then all go back.
+  for (const Entry& entry : entries_) {
+    const std::uint32_t slot = start_[entry.cell]++;
+    sorted_.x[slot] = entry.center[0];
+    sorted_.y[slot] = entry.center[1];
+    sorted_.z[slot] = entry.center[2];
+    sorted_.halfX[slot] = entry.half[0];
+    if (!areSpheres) {
+      sorted_.halfY[slot] = entry.half[1];
+      sorted_.halfZ[slot] = entry.half[2];
+    }
+    cellOf_[slot] = entry.cell;
+    boxOf_[slot] = entry.box;
+  }
+  std::copy_backward(start_.begin(), start_.end() - 1, start_.end());
+  start_[0] = 0;
+}
+
+/// Adds what lies in the cells x - 1, x and x + 1 of a row, all modulo the size of the grid.
+void CellGrid::addRow(std::uint32_t x, std::uint32_t y, std::uint32_t z, CellSearch& search) const {
+  const std::uint32_t last = (1u << bits_[0]) - 1;
+  y &= (1u << bits_[1]) - 1;
+  z &= (1u << bits_[2]) - 1;
+  const std::uint32_t row = (z << bits_[1] | y) << bits_[0];
+  const auto add = [&](std::uint32_t from, std::uint32_t to) {
+    const SlotRange range{start_[row + from], start_[row + to + 1]};
+    if (range.begin < range.end) search.others[search.otherCount++] = range;
+  };
+  if (x == 0) {
+    add(0, 1);
+    add(last, last);
+  } else if (x == last) {
+    add(last - 1, last);
+    add(0, 0);
+  } else {
+    add(x - 1, x + 1);
+  }
+}
+
+/// The cell itself and half of those around it; the other half has the cell among theirs.
+CellSearch CellGrid::around(std::uint32_t cell) const {
+  CellSearch search;
+  search.slots = {start_[cell], start_[cell + 1]};
+  search.end = start_[cell + 1];
+  if (cells() == 1) return search;
+  const std::uint32_t last = (1u << bits_[0]) - 1;
+  const std::uint32_t x = cell & last;
+  const std::uint32_t y = cell >> bits_[0] & ((1u << bits_[1]) - 1);
+  const std::uint32_t z = cell >> (bits_[0] + bits_[1]);
+  if (x < last)
+    search.end = start_[cell + 2];
+  else if (const SlotRange first{start_[cell - last], start_[cell - last + 1]};
+           first.begin < first.end)
+    search.others[search.otherCount++] = first;
+  addRow(x, y + 1, z, search);
+  for (const std::uint32_t above : {y - 1, y, y + 1}) addRow(x, above, z + 1, search);
+  return search;
+}
+
+void CellGrid::find(SlotRange range, FoundPartners& found) const {
+  found.slots = range;
+  found.ends.resize(range.end - range.begin);
+  std::uint32_t end = 0;
+  for (std::uint32_t slot = range.begin; slot < range.end;) {
+    CellSearch search = around(cellOf_[slot]);
+    std::size_t most = search.end - search.slots.begin + SortedBoxes::kRoom;
+    for (std::size_t n = 0; n < search.otherCount; ++n)
+      most += search.others[n].end - search.others[n].begin;
+    const auto atOnce = static_cast<std::uint32_t>(std::max<std::size_t>(1, kMostRoom / most));
+    search.slots.begin = slot;
+    search.slots.end = std::min({search.slots.end, range.end, slot + atOnce});
+    const std::size_t count = search.slots.end - slot;
+    if (found.partners.size() < end + count * most) found.partners.resize(2 * (end + count * most));
+    std::uint32_t* const ends = found.ends.data() + (slot - range.begin);
+    findPartners(sorted_, search, end, ends, found.partners.data());
+    end = ends[count - 1];
+    slot = search.slots.end;
+  }
+}
+
+void CellGrid::boundBlocks() {
+  blocks_.clear();
+  const bool areSpheres = content_ == BoxContent::Spheres;
+  const std::array centers{&sorted_.x, &sorted_.y, &sorted_.z};
+  const std::array halves{&sorted_.halfX, areSpheres ? &sorted_.halfX : &sorted_.halfY,
+                          areSpheres ? &sorted_.halfX : &sorted_.halfZ};
+  for (std::uint32_t begin = 0; begin < slots(); begin += kBlock) {
+    const std::uint32_t end = std::min(begin + kBlock, slots());
+    Block block{};
+    for (int k = 0; k < 3; ++k) {
+      float low = std::numeric_limits<float>::max();
+      float high = -low;
+      for (std::uint32_t slot = begin; slot < end; ++slot) {
+        const float center = (*centers[k])[slot];
+        const float half = (*halves[k])[slot];
+        low = std::min(low, center - half);
+        high = std::max(high, center + half);
+      }
+      block.low[k] = low;
+      block.high[k] = high;
+    }
+    blocks_.push_back(block);
+  }
+}
+
+void CellGrid::findIn(const btBroadphaseProxy& box, std::vector<std::uint32_t>& found) const {
+  // Written so that a face that is not a number is as far away as can be.
+  constexpr double kMost = std::numeric_limits<float>::max();
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  std::array<float, 3> low{};
+  std::array<float, 3> high{};
+  for (int k = 0; k < 3; ++k) {
+    const double from = box.m_aabbMin[k] - anchor_[k];
+    const double to = box.m_aabbMax[k] - anchor_[k];
+    low[k] = from > -kMost ? std::nextafter(static_cast<float>(std::min(from, kMost)), -kInfinity)
+                           : -kInfinity;
+    high[k] = to < kMost ? std::nextafter(static_cast<float>(std::max(to, -kMost)), kInfinity)
+                         : kInfinity;
+  }
+  std::size_t end = 0;
+  for (std::uint32_t n = 0; n < blocks_.size(); ++n) {
+    const Block& block = blocks_[n];
+    bool isNear = true;
+    for (int k = 0; k < 3; ++k) isNear &= block.low[k] <= high[k] && block.high[k] >= low[k];
+    if (!isNear) continue;
+    const SlotRange range{n * kBlock, std::min((n + 1) * kBlock, slots())};
+    if (found.size() < end + kBlock + SortedBoxes::kRoom)
+      found.resize(2 * (end + kBlock + SortedBoxes::kRoom));
+    end += findWithin(sorted_, low, high, range, found.data() + end);
+  }
+  found.resize(end);
+}
+
+}  // namespace wells

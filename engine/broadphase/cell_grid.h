@@ -1,0 +1,87 @@
+// Which boxes overlap, of many that are about as large as each other: they are sorted into cells
+// that are as large as a box, so that those which overlap lie in cells that touch. Knows no filters,
+// and keeps nothing from one sort to the next but the layout of the cells.
+//
+// The grid has no end: a cell stands for all that lie a whole number of grids away from it, so that
+// memory depends on the number of boxes alone, wherever they are. Rows of cells along x are
+// contiguous, and so are the boxes in them. Boxes that are much larger than most, or too far away
+// for the number of a cell to be exact, are kept apart and compared with blocks of the others.
+//
+// Tests are made in single precision with sizes rounded up: what is found is a superset.
+#pragma once
+
+#include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "broadphase/overlap_search.h"
+
+namespace wells {
+
+/// What was found for a range of slots.
+struct FoundPartners {
+  SlotRange slots{};
+  std::vector<std::uint32_t> ends;      // by slot of the range: where its partners end
+  std::vector<std::uint32_t> partners;  // slots; holds more than are valid
+};
+
+class CellGrid {
+ public:
+  explicit CellGrid(BoxContent content) : content_(content) {}
+
+  /// Takes boxes as they are now. O(n).
+  void sort(std::span<btBroadphaseProxy* const> boxes);
+
+  std::uint32_t slots() const { return static_cast<std::uint32_t>(boxOf_.size()); }
+  /// By slot: the number of its box in the last sort().
+  std::span<const std::uint32_t> boxOf() const { return boxOf_; }
+  /// Numbers of those kept apart; all others have a slot.
+  std::span<const std::uint32_t> large() const { return large_; }
+
+  /// Lists the partners of a range of slots: over all ranges, each pair whose boxes may overlap
+  /// stands once. Ranges are independent of each other.
+  void find(SlotRange range, FoundPartners& found) const;
+
+  /// Lists the slots that may overlap a box.
+  void findIn(const btBroadphaseProxy& box, std::vector<std::uint32_t>& found) const;
+
+  std::size_t cells() const { return start_.empty() ? 0 : start_.size() - 1; }
+
+ private:
+  struct Entry {
+    std::array<float, 3> center, half;
+    std::uint32_t box, cell;
+  };
+  struct Block {
+    std::array<float, 3> low, high;
+  };
+  static constexpr std::uint32_t kBlock = 64;  // slots
+
+  void layOut(std::span<btBroadphaseProxy* const> boxes);
+  void choosePlace(std::span<btBroadphaseProxy* const> boxes);
+  bool enter(const btBroadphaseProxy& box, Entry& entry) const;
+  void fillSlots();
+  void boundBlocks();
+  void addRow(std::uint32_t x, std::uint32_t y, std::uint32_t z, CellSearch& search) const;
+  CellSearch around(std::uint32_t cell) const;
+
+  BoxContent content_;
+  // The layout.
+  std::array<double, 3> anchor_{};       // m
+  double size_ = 1;                      // m, of a cell
+  std::array<std::uint32_t, 3> bits_{};  // 2^bits cells along each axis; all 0: a single cell
+  std::size_t placedFor_ = 0;            // boxes
+  int sortsLeft_ = 0;                    // with this anchor and these bits
+  // Of the last sort.
+  std::vector<Entry> entries_;
+  std::vector<std::uint32_t> start_;  // by cell, of its slots
+  std::vector<std::uint32_t> cellOf_, boxOf_;  // by slot
+  std::vector<std::uint32_t> large_;
+  SortedBoxes sorted_;
+  std::vector<Block> blocks_;
+};
+
+}  // namespace wells

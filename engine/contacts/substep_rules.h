@@ -1,0 +1,30 @@
+// Rules of the contacts in substeps, which hold for islands of any size.
+#pragma once
+
+namespace wells {
+
+/// Share of a remaining overlap between balls that one substep pushes out. All of it at once makes
+/// a heap hop: each push-out creates the neighbour's overlap. The arena does not give way: all.
+inline constexpr double kPushOut = 0.6;
+inline constexpr double kPushOutOfArena = 1.0;
+
+/// How deep a ball may be in the arena that leaves it fast, in radii.
+inline constexpr double kDeepestInArena = 0.99;
+
+/// Overlap (of the smaller radius) that is left to balls which push on each other in an island that
+/// is not solved directly. Pushed out to nothing, contacts open and close by rounding in every
+/// substep, each loses the impulse that it had found, and the heap creeps for ever.
+inline constexpr double kLeftOverlap = 1e-3;
+
+/// Passes that an island without impacts is given until it is solved, if the settings give fewer:
+/// there impulses last, and what one substep finds serves the next. Until then a heap that should
+/// stand creeps. An island is solved when a pass changes no velocity by more than kSolved of what
+/// forces gave in the substep.
+inline constexpr int kPassesAtRest = 16;
+inline constexpr double kSolved = 1e-12;
+
+/// What is further apart than this (of a radius) does not touch; and where forces move a ball
+/// further within a substep, substeps are too coarse to tell what rests.
+inline constexpr double kNear = 0.01;
+
+}  // namespace wells

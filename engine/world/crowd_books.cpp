@@ -1,0 +1,83 @@
+// What the substeps of a crowd did, for the books. Impulses of one substep add up to what each
+// contact has in the end, so the kernels need not book them one by one.
+#include "contacts/lasting_force.h"
+#include "world/crowd.h"
+
+namespace wells {
+namespace {
+
+constexpr std::uint32_t partnerOf(PartnerKind kind) {
+  return kind == PartnerKind::Ground ? kGround : kWall;
+}
+
+}  // namespace
+
+void Crowd::bookFlights(const PathModel& model, double start,
+                        std::span<const std::uint8_t> isLeaning, Balls& balls, Books& books) const {
+  scatter(balls);
+  const Ledger ledger{&books, model.arena->center};
+  for (const std::uint32_t i : island_)
+    if (!isLeaning[i])
+      bookPath(ledger, model, {balls.state(i), start, balls.radius[i]}, balls.mass[i],
+               start + rules_.h);
+}
+
+Crowd::Booking Crowd::bookingOf(const PathModel& model, double time, Balls& balls) const {
+  scatter(balls);
+  Booking booking;
+  for (const std::uint32_t i : island_) {
+    const double surface = balls.radius[i] * balls.radius[i] * squaredLength(balls.spin[i]);
+    booking.kineticEnergy +=
+        0.5 * balls.mass[i] * (squaredLength(balls.velocity[i]) + kInertiaFactor * surface);
+  }
+  booking.placement =
+      placementOf({nullptr, model.arena->center}, *model.field, time, island_, balls);
+  return booking;
+}
+
+Books Crowd::booksOfImpulses(const PathModel& model, const Balls& balls) {
+  Books books;
+  const Ledger ledger{&books, model.arena->center};
+  forEachBatch([&](PartnerKind kind, std::span<ContactBlock> blocks, const ContactFlight* flights) {
+    for (std::size_t n = 0; n < blocks.size(); ++n) {
+      const ContactBlock& block = blocks[n];
+      for (std::size_t lane = 0; lane < block.count; ++lane) {
+        Contact c{.a = island_[block.a[lane]],
+                  .b = kind == PartnerKind::Ball ? island_[block.b[lane]] : partnerOf(kind),
+                  .normal = {block.nx[lane], block.ny[lane], block.nz[lane]},
+                  .gap = flights[n].gap[lane],
+                  .impact = flights[n].lasts[lane] == 0,
+                  .builtUp = flights[n].builtUp[lane],
+                  .closingFlown = flights[n].closing[lane],
+                  .normalImpulse = block.normal[lane],
+                  .tangentImpulse = {block.tx[lane], block.ty[lane], block.tz[lane]}};
+        c.share = shareAlone(c, balls);
+        books.contacts += workOfNormals({&c, 1}, balls);
+        if (kind == PartnerKind::Ball) {
+          // Action and reaction act on two surfaces that an overlap keeps apart.
+          books.shifts.angular -= c.gap * cross(c.normal, c.tangentImpulse);
+          bookTurnedNormal(ledger, c, balls);
+        } else {
+          bookArena(ledger, c, c.tangentImpulse - c.normalImpulse * c.normal, balls);
+        }
+      }
+    }
+  });
+  return books;
+}
+
+// As resolveContacts() has it.
+void Crowd::bookSubstep(const Booking& flown, const Booking& solved, const Booking& shifted,
+                        const Booking& pushed, Books impulses, Books& books) const {
+  const double both = solved.kineticEnergy - flown.kineticEnergy + shifted.placement.potential -
+                      solved.placement.potential;
+  const double normals = impulses.contacts;
+  impulses.friction = rules_.friction > 0 ? both - normals : 0;
+  // Without friction, the rest is by how much the pull of the fields varies over the shifts.
+  impulses.pushOut =
+      pushed.placement.potential - shifted.placement.potential + both - normals - impulses.friction;
+  impulses.shifts.angular += pushed.placement.angular - solved.placement.angular;
+  books += impulses;
+}
+
+}  // namespace wells
