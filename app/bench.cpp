@@ -24,6 +24,7 @@
 #include "stress_bench.h"
 #include "target_error.h"
 #include "text_file.h"
+#include "threads/thread_pool.h"
 #include "values.h"
 #include "work_precision.h"
 #include "world/settling.h"
@@ -85,8 +86,9 @@ void addOptions(CLI::App& app, BenchOptions& options) {
   addInteger(app, "--steps", options.steps, 1, kMostSteps, "default: the scene's");
   addInteger(app, "--substeps", options.substeps, 1, 1000, "of ours (default: the scene's)");
   addInteger(app, "--iterations", options.iterations, 1, 1000, "of ours (default: the scene's)");
-  addInteger(app, "--threads", options.threads, 1, 256,
+  addInteger(app, "--threads", options.threads, 1, kMostThreads,
              "of the simulation; the result has the same bits for any number (default 1)");
+  addInstructions(app);
   addInteger(app, "--runs", options.runs, 1, 1000,
              "of the same steps, each with a new engine; the median of their times counts "
              "(default 1)");
@@ -216,7 +218,8 @@ BenchResult runScene(const BenchOptions& options) {
   const Scene& scene = findScene(options.scene);
   std::int64_t steps = options.steps > 0 ? options.steps : scene.defaultSteps;
   const auto newStepper = [&] {
-    return makeEngine(options.engine, maySleep(options) ? Sleeping::On : Sleeping::Off);
+    return makeEngine(options.engine, maySleep(options) ? Sleeping::On : Sleeping::Off,
+                      static_cast<int>(options.threads));
   };
   World world = sceneWorld(options);
   if (options.targetError > 0) steps = chooseFor(options.targetError, steps, world);

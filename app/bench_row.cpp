@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "build_info.h"
+#include "math/instruction_set.h"
 
 namespace wells {
 
@@ -21,7 +22,8 @@ std::string stepColumns(const ContactShares& shares, const std::optional<Books>&
 
 std::string buildColumns() {
   return fmt::format("{},{},{},{}", build_info::kCommit, csvField(build_info::kCompiler),
-                     csvField(build_info::kFlags), csvField(processor()));
+                     csvField(build_info::kFlags),
+                     csvField(fmt::format("{} ({})", processor(), name(instructionSet()))));
 }
 
 std::string processor() {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "errors.h"
+#include "math/instruction_set.h"
 #include "values.h"
 
 namespace wells {
@@ -125,6 +126,22 @@ void addName(CLI::App& app, const std::string& name, std::string& target, const 
          },
          help)
       ->type_name("NAME");
+}
+
+void addInstructions(CLI::App& app, const std::string& group) {
+  app.add_option_function<std::string>(
+         "--instructions",
+         [](const std::string& value) {
+           try {
+             useInstructionSet(findInstructionSet(value));
+           } catch (const std::invalid_argument& error) {
+             throw UsageError(fmt::format("--instructions {}: {}", value, error.what()));
+           }
+         },
+         "of the processor, for vector code: baseline, avx2 or avx512; all give the same bits")
+      ->type_name("NAME")
+      ->default_str("the best that it has")
+      ->group(group);
 }
 
 void addChoice(CLI::App& app, const std::string& option, std::vector<std::string>& target,

@@ -33,6 +33,9 @@ void addSeconds(CLI::App& app, const std::string& name, double& target, double l
 void addName(CLI::App& app, const std::string& name, std::string& target, const std::string& help,
              void (*check)(std::string_view));
 
+/// Adds --instructions NAME, which takes effect as it is parsed.
+void addInstructions(CLI::App& app, const std::string& group = "Options");
+
 /// Adds --name NAME,...: a choice of `allowed`, each once and all by default.
 void addChoice(CLI::App& app, const std::string& name, std::vector<std::string>& target,
                const std::vector<std::string>& allowed, const std::string& help);

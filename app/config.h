@@ -22,6 +22,13 @@ struct WellPath {
   std::filesystem::path file{};  // of the keyframes
 };
 
+/// Where a loop's threads run.
+struct CoreChoice {
+  enum class Kind { Auto, Any, Listed };
+  Kind kind = Kind::Auto;
+  std::vector<int> listed{};  // rising
+};
+
 struct Config {
   // The world: the same for all peers of a session.
   Arena arena;
@@ -47,6 +54,12 @@ struct Config {
   double simulationRate = 0;  // 0: 1/dt in a session, as fast as possible alone
   double graphicsRate = 30;
   double networkRate = 100;
+
+  // Threads and cores.
+  std::int64_t threads = 0;  // of the simulation; 0: as many as sensible
+  CoreChoice simulationCores;
+  CoreChoice graphicsCores;
+  CoreChoice networkCores;
 
   // Picture.
   bool fullScreen = false;

@@ -29,7 +29,8 @@ bool hasEngine(std::string_view name);
 /// Whether an engine that can let balls at rest sleep does so. Only stock Bullet can.
 enum class Sleeping { Off, On };
 
-/// An engine of this executable; hasEngine(name).
-std::unique_ptr<Stepper> makeEngine(std::string_view name, Sleeping sleeping = Sleeping::Off);
+/// An engine of this executable; hasEngine(name). `threads` are those that a step of ours may use.
+std::unique_ptr<Stepper> makeEngine(std::string_view name, Sleeping sleeping = Sleeping::Off,
+                                    int threads = 1);
 
 }  // namespace wells

@@ -8,7 +8,7 @@ bool hasEngine(std::string_view name) {
   return name == "bullet";
 }
 
-std::unique_ptr<Stepper> makeEngine(std::string_view, Sleeping sleeping) {
+std::unique_ptr<Stepper> makeEngine(std::string_view, Sleeping sleeping, int) {
   return makeBullet({sleeping == Sleeping::On ? BulletSleeping::On : BulletSleeping::Off});
 }
 

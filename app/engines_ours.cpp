@@ -10,9 +10,9 @@ bool hasEngine(std::string_view name) {
   return name == "ours" || referenceVariant(name);
 }
 
-std::unique_ptr<Stepper> makeEngine(std::string_view name, Sleeping) {
+std::unique_ptr<Stepper> makeEngine(std::string_view name, Sleeping, int threads) {
   if (const auto variant = referenceVariant(name)) return makeReference(*variant);
-  return makeSimulation();
+  return makeSimulation({.threads = threads});
 }
 
 Predictor makePredictor(std::string_view engine) {

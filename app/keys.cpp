@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <limits>
 
+#include "cores.h"
 #include "key_kinds.h"
 #include "math/ids.h"
 #include "special_keys.h"
+#include "threads/thread_pool.h"
 
 namespace wells {
 namespace {
@@ -101,6 +103,19 @@ std::vector<Key> makeKeys() {
                       "how often messages are sent")});
   addGroup(table, "Speed (changes no result; may differ from peer to peer)", Scope::Peer,
            {broadphaseKey()});
+  addGroup(
+      table, "Threads and cores", Scope::Peer,
+      {integerKey("Threads", WELLS_FIELD(threads), 0, kMostThreads,
+                  "threads of the simulation; 0: one for each of its cores, 8 at most. Worlds with "
+                  "few balls awake use one; the result has the same bits for any number"),
+       coresKey(
+           "SimulationCores", &Config::simulationCores,
+           "where the simulation runs; a list keeps it there, any leaves it to the system. "
+           "auto, for all three: graphics on the first core, network on the second, simulation "
+           "on the others, where at least two are left for it; else any"),
+       coresKey("GraphicsCores", &Config::graphicsCores, "where pictures are drawn; likewise"),
+       coresKey("NetworkCores", &Config::networkCores,
+                "where messages are sent and received; likewise")});
   addGroup(
       table, "Picture", Scope::Peer,
       {booleanKey(

@@ -30,6 +30,7 @@ std::unique_ptr<Pictures> openPictures(const PeerOptions& options) {
                      .framesPerSecond = config.graphicsRate,
                      .targetRate = inWallTime ? config.graphicsRate * config.timeScale : 0,
                      .camera = makeCamera(config),
+                     .cores = options.places.graphics.value(),
                      .frames = options.frames,
                      .video = options.video,
                      .lastFrame = options.lastFrame});
@@ -100,6 +101,7 @@ int runPeer(PeerOptions options) {
   catchInterrupts();
   RunProgress progress;
   auto run = std::async(std::launch::async, [&] {
+    placeThisThread("simulation", options.places.simulation);
     if (link) return runInSession(setup, *link, pictures.get(), progress, notice);
     return runAlone(setup, pictures.get(), progress);
   });
@@ -116,6 +118,8 @@ int runPeer(PeerOptions options) {
     report.framesDrawn = counts.drawn;
     report.framesRepeated = counts.repeated;
   }
+  report.places = options.places;
+  if (!link || !link->lcm) report.places.network.reset();
   if (choice)
     report.trial = {.targetError = options.targetError,
                     .error = choice->best.error,

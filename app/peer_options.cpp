@@ -25,7 +25,10 @@ namespace fs = std::filesystem;
 
 // Other spellings of keys on the command line.
 constexpr std::pair<std::string_view, std::string_view> kAliases[] = {
-    {"Dt", "--dt"}, {"Integrator", "--integrator"}, {"PeerID", "--peer-id"}};
+    {"Dt", "--dt"},
+    {"Integrator", "--integrator"},
+    {"PeerID", "--peer-id"},
+    {"Threads", "--threads"}};
 
 constexpr double kLongestRun = 1e9;  // s, steps
 
@@ -117,16 +120,7 @@ void addRunOptions(CLI::App& app, PeerOptions& options, Words& words) {
       ->type_name("NAME")
       ->default_str("ours")
       ->group(group);
-  app.add_option_function<std::string>(
-         "--threads",
-         [&](const std::string& value) {
-           parseOption("--threads", value, "a whole number 1 to 256",
-                       [&] { options.threads = parseInteger(value, 1, 256); });
-         },
-         "of the simulation, whose step uses one; the result has the same bits for any number")
-      ->type_name("COUNT")
-      ->default_str("1")
-      ->group(group);
+  addInstructions(app, group);
   app.add_flag("--quiet", options.quiet, "no progress and no notices")->group(group);
 }
 
@@ -273,6 +267,17 @@ void requireTrial(const PeerOptions& options, const Words& words) {
         "--target-error: chooses for ours, not for {}; allowed: --engine ours", options.engine));
 }
 
+void place(PeerOptions& options) {
+  options.places = placeThreads(options.config, {.graphics = options.drawsPictures(),
+                                                 .network = options.company == Company::Session});
+  const std::size_t cores = options.places.simulation.size();
+  if (cores > 0 && static_cast<std::size_t>(options.places.simulationThreads) > cores)
+    options.notices.push_back(
+        fmt::format("Threads={}: more than the simulation has cores ({}): "
+                    "they will wait for each other",
+                    options.places.simulationThreads, cores));
+}
+
 void requireConsistent(const PeerOptions& options) {
   const bool session = options.company == Company::Session;
   if (session && options.restored)
@@ -316,6 +321,7 @@ std::optional<PeerOptions> parsePeerOptions(std::span<const std::string> argumen
   requireConsistent(options);
   requireTrial(options, words);
   requireOutputs(options);
+  place(options);
   return options;
 }
 

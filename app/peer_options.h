@@ -11,6 +11,7 @@
 
 #include "config.h"
 #include "state/snapshot.h"
+#include "thread_places.h"
 
 namespace wells {
 
@@ -30,8 +31,8 @@ struct PeerOptions {
   std::int64_t steps = kEndless;   // the world's step at which the run stops
   double targetError = 0;          // m; 0: settings as they are
   std::string engine = "ours";
-  std::int64_t threads = 1;
-  std::string lcmUrl;  // empty: from UDPPort, staying on this host
+  ThreadPlaces places;  // of the threads, on this machine
+  std::string lcmUrl;   // empty: from UDPPort, staying on this host
   bool requireLcm = false;
   bool quiet = false;
   std::filesystem::path frames;        // a folder; empty: none

@@ -6,6 +6,7 @@
 
 #include "errors.h"
 #include "render/renderer.h"
+#include "thread_places.h"
 
 namespace wells {
 namespace {
@@ -78,6 +79,7 @@ Pictures::Counts Pictures::counts() const {
 
 void Pictures::run() {
   try {
+    placeThisThread("graphics", options_.cores);
     drawUntilClosed();
   } catch (const std::exception& error) {
     const std::lock_guard lock(mutex_);

@@ -10,6 +10,7 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <vector>
 
 #include "math/step_timer.h"
 #include "render/camera.h"
@@ -25,6 +26,7 @@ struct PictureOptions {
   double framesPerSecond = 30;  // of simulated time
   double targetRate = 0;        // frames in a wall second, Hz; 0: as they come
   Camera camera;
+  std::vector<int> cores{};         // on which they are drawn; empty: any
   std::filesystem::path frames;     // a folder; empty: none
   std::filesystem::path video;      // empty: none
   std::filesystem::path lastFrame;  // empty: none

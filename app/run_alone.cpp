@@ -46,7 +46,7 @@ PeerSetup::PeerSetup(const PeerOptions& peerOptions)
     : options(peerOptions),
       world(worldOf(options)),
       motion(options.config, world.settings.dt),
-      stepper(makeEngine(options.engine)) {
+      stepper(makeEngine(options.engine, Sleeping::Off, options.places.simulationThreads)) {
   if (!options.snapshot.empty() && !stepper->memory()) {
     throw UsageError(
         fmt::format("--save-snapshot: engine {} keeps what cannot be saved; allowed: ours and the "

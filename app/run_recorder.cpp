@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "math/instruction_set.h"
 #include "world/measures.h"
 
 namespace wells {
@@ -9,6 +10,7 @@ namespace wells {
 RunRecorder::RunRecorder(const PeerOptions& options, Pictures* pictures, RunProgress& progress)
     : options_(options), pictures_(pictures), progress_(progress) {
   report_.engine = options.engine;
+  report_.instructions = name(instructionSet());
   report_.peer = options.config.peerId;
 }
 
@@ -35,6 +37,7 @@ void RunRecorder::stepped(const World& world, const Stepper& stepper) {
   const StepCounts counts = stepper.counts();
   report_.latePairs += counts.latePairs;
   report_.shares.add(counts, world.balls.size());
+  report_.threads = std::max(report_.threads, counts.threads);
   report_.flightStretches = std::max(report_.flightStretches, counts.flightStretches);
   progress_.step = world.step;
   if (static_cast<std::int64_t>(world.time()) != sampledSecond_) sample(world);

@@ -14,6 +14,13 @@ Json rateAsJson(const LoopRate& rate) {
   return {{"target_Hz", rate.target}, {"actual_Hz", rate.actual}};
 }
 
+Json coresAsJson(const ThreadPlaces& p) {
+  return {{"simulation", ThreadPlaces::text(p.simulation)},
+          {"graphics", ThreadPlaces::text(p.graphics)},
+          {"network", ThreadPlaces::text(p.network)},
+          {"why", p.why}};
+}
+
 Json ownersAsJson(const RunReport& r) {
   Json owners = Json::object();
   for (const auto& [peer, balls] : r.owners) owners[std::to_string(peer)] = balls;
@@ -75,6 +82,14 @@ std::string sharesAsText(const ContactShares& s) {
   return text;
 }
 
+std::string placesAsText(const RunReport& r) {
+  const ThreadPlaces& p = r.places;
+  return fmt::format(
+      "threads of the simulation: {}; cores: simulation {}, graphics {}, network {} ({})\n",
+      r.threads, ThreadPlaces::text(p.simulation), ThreadPlaces::text(p.graphics),
+      ThreadPlaces::text(p.network), p.why);
+}
+
 std::string booksAsText(const Books& b) {
   return fmt::format(
       "energy booked: contacts {:.6g} J, friction {:.6g} J, drag {:.6g} J, wells {:.6g} J, "
@@ -108,6 +123,8 @@ std::string reportAsJson(const RunReport& r) {
       {"contacts", r.contacts},
       {"dt", r.dt},
       {"threads", r.threads},
+      {"instructions", r.instructions},
+      {"cores", coresAsJson(r.places)},
       {"steps", r.steps},
       {"sim_time_s", r.simulatedTime},
       {"wall_time_s", r.wallTime},
@@ -169,6 +186,7 @@ std::string reportAsText(const RunReport& r) {
       r.energyEnd, r.maxOverlap, r.escaped, r.balls.size(), r.stateHash);
   if (r.shares.exactBalls + r.shares.substepBalls > 0) text += sharesAsText(r.shares);
   if (r.books) text += booksAsText(*r.books);
+  text += placesAsText(r);
   text += remarks(r);
   if (r.fences > 0)
     text += fmt::format("stood still for too long and started over: {} time(s)\n", r.fences);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "state/contact_shares.h"
+#include "thread_places.h"
 
 namespace wells {
 
@@ -29,9 +30,11 @@ struct TrialReport {
 struct RunReport {
   std::string engine;
   std::string integrator;
-  std::string contacts;  // method
-  double dt = 0;         // s
-  std::int64_t threads = 1;
+  std::string contacts;      // method
+  double dt = 0;             // s
+  int threads = 1;           // the most that a step ran on
+  std::string instructions;  // of the processor, see math/instruction_set.h
+  ThreadPlaces places;
   std::optional<TrialReport> trial;
 
   std::int64_t steps = 0;    // the world's step at the end

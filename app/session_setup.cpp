@@ -7,6 +7,7 @@
 #include <random>
 
 #include "clocks.h"
+#include "cores.h"
 #include "errors.h"
 #include "keys.h"
 #include "math/hash.h"
@@ -44,6 +45,10 @@ Link openLink(const PeerOptions& options) {
   try {
     auto lcm = std::make_unique<LcmTransport>(url, options.config.networkRate);
     LcmTransport* const pointer = lcm.get();
+    const std::vector<int>& cores = options.places.network.value();
+    if (!cores.empty() && !lcm->pin(cores))
+      throw RunError(
+          fmt::format("the threads of the network cannot be kept on core {}", formatCores(cores)));
     return {std::move(lcm), pointer, pointer->note()};
   } catch (const TransportError& error) {
     if (options.requireLcm) throw RunError(fmt::format("--require-lcm: {}", error.what()));

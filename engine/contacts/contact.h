@@ -22,6 +22,7 @@ struct Contact {
   bool acts = false;                   // touches, so that it may push in the substep at hand
   bool isPulled = false;               // forces act along the normal
   bool isCoarse = false;               // forces move a ball too far within the substep
+  bool isMoving = false;               // the two balls move against each other, not only by forces
   bool isSmall = false;                // its island is small enough to be solved directly
   bool isSolved = false;               // in this substep, together with its island
   bool isSlow = false;                 // closes no faster than forces explain

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "contacts/support.h"
+
 namespace wells {
 namespace {
 
@@ -81,57 +83,95 @@ double horizontal(const Vec3& v) {
   return std::sqrt(v.x() * v.x() + v.z() * v.z());
 }
 
+/// Of a ball that is pulled by no more than `bound` (m/s^2) besides gravity.
+GapNow gapToGround(const PathModel& model, const BallState& ball, double radius, double bound) {
+  return {groundGap(*model.arena, ball.position, radius),
+          withoutNoise(-ball.velocity.y(), length(ball.velocity)),
+          std::abs(model.field->gravity.y()) + bound};
+}
+
+double closedAtGround(const Arena& arena, const BallState& ball, double radius) {
+  return kClosedGap * (std::abs(arena.center.y()) + std::abs(ball.position.y()) + radius);
+}
+
+/// In R^2 - rho^2, for the next `duration` seconds.
+GapNow gapToWall(const PathModel& model, const BallState& ball, double radius, double bound,
+                 double duration) {
+  const double reach = model.arena->radius - radius;  // of the centre from the axis
+  const Vec3 p = ball.position - model.arena->center;
+  const double pull = horizontal(model.field->gravity) + bound;
+  const double fastest = horizontal(ball.velocity) + pull * duration;
+  // (R^2 - rho^2)'' = -2 (v^2 + p.a)
+  return {reach * reach - p.x() * p.x() - p.z() * p.z(),
+          2 * withoutNoise(p.x() * ball.velocity.x() + p.z() * ball.velocity.z(),
+                           reach * length(ball.velocity)),
+          2 * (fastest * fastest + reach * pull)};
+}
+
+double closedAtWall(const Arena& arena, double radius) {
+  return 2 * (arena.radius - radius) * kClosedGap * (horizontal(arena.center) + arena.radius);
+}
+
+GapNow gapOfBalls(const BallState& a, double radiusA, const BallState& b, double radiusB,
+                  double bound) {
+  const Vec3 d = b.position - a.position;
+  const double distance = length(d);
+  // Coincident centres: as deep as can be, and nowhere to go.
+  if (distance == 0) return {-radiusA - radiusB, 0, 1};
+  return {distance - radiusA - radiusB,
+          withoutNoise(dot(a.velocity - b.velocity, d) / distance,
+                       length(a.velocity) + length(b.velocity)),
+          bound};
+}
+
+double closedOfBalls(const BallState& a, double radiusA, const BallState& b, double radiusB) {
+  return kClosedGap * (length(a.position) + length(b.position) + radiusA + radiusB);
+}
+
 Encounter encounterWithGround(const PathModel& model, const Path& ball, double from, double until) {
-  const Arena& arena = *model.arena;
-  const double gravity = std::abs(model.field->gravity.y());
-  const auto gapAt = [&](double t, double end) -> GapNow {
+  const auto gapAt = [&](double t, double end) {
     const BallState now = stateAt(model, ball, t);
-    return {groundGap(arena, now.position, ball.radius),
-            withoutNoise(-now.velocity.y(), length(now.velocity)),
-            gravity + accelerationBound(model, ball, now, t, end - t)};
+    return gapToGround(model, now, ball.radius, accelerationBound(model, ball, now, t, end - t));
   };
-  const double size = std::abs(arena.center.y()) + std::abs(ball.state.position.y()) + ball.radius;
-  const double closed = kClosedGap * size;
+  const double closed = closedAtGround(*model.arena, ball.state, ball.radius);
   return followFromContact(gapAt, closed, model.field->stretch, from, until);
 }
 
 Encounter encounterWithWall(const PathModel& model, const Path& ball, double from, double until) {
-  const Arena& arena = *model.arena;
-  const double reach = arena.radius - ball.radius;  // of the centre from the axis
-  const double gravity = horizontal(model.field->gravity);
-  const auto gapAt = [&](double t, double end) -> GapNow {
+  const auto gapAt = [&](double t, double end) {
     const BallState now = stateAt(model, ball, t);
-    const Vec3 p = now.position - arena.center;
-    const double pull = gravity + accelerationBound(model, ball, now, t, end - t);
-    const double fastest = horizontal(now.velocity) + pull * (end - t);
-    // (R^2 - rho^2)'' = -2 (v^2 + p.a)
-    return {reach * reach - p.x() * p.x() - p.z() * p.z(),
-            2 * withoutNoise(p.x() * now.velocity.x() + p.z() * now.velocity.z(),
-                             reach * length(now.velocity)),
-            2 * (fastest * fastest + reach * pull)};
+    return gapToWall(model, now, ball.radius, accelerationBound(model, ball, now, t, end - t),
+                     end - t);
   };
-  const double size = horizontal(arena.center) + arena.radius;
-  return followFromContact(gapAt, 2 * reach * kClosedGap * size, model.field->stretch, from, until);
+  const double closed = closedAtWall(*model.arena, ball.radius);
+  return followFromContact(gapAt, closed, model.field->stretch, from, until);
+}
+
+bool staysOpen(const GapNow& now, double closed, double duration) {
+  return now.gap > closed && safeTime(now) > duration;
+}
+
+/// Where a ball in flight would be at time t if only gravity pulled it.
+BallState ballistic(const PathModel& model, const Path& path, double t) {
+  const double after = t - path.start;
+  BallState ball = path.state;
+  ball.position += after * ball.velocity + (after * after / 2) * model.field->gravity;
+  ball.velocity += after * model.field->gravity;
+  return ball;
 }
 
 }  // namespace
 
 Encounter encounterOfBalls(const PathModel& model, const Path& a, const Path& b, double from,
                            double until) {
-  const auto gapAt = [&](double t, double end) -> GapNow {
+  const auto gapAt = [&](double t, double end) {
     const BallState nowA = stateAt(model, a, t);
     const BallState nowB = stateAt(model, b, t);
-    const Vec3 d = nowB.position - nowA.position;
-    const double distance = length(d);
-    // Coincident centres: as deep as can be, and nowhere to go.
-    if (distance == 0) return {-a.radius - b.radius, 0, 1};
-    return {distance - a.radius - b.radius,
-            withoutNoise(dot(nowA.velocity - nowB.velocity, d) / distance,
-                         length(nowA.velocity) + length(nowB.velocity)),
-            approachBound(model, a, nowA, b, nowB, t, end - t)};
+    return gapOfBalls(nowA, a.radius, nowB, b.radius,
+                      approachBound(model, a, nowA, b, nowB, t, end - t));
   };
-  const double size = length(a.state.position) + length(b.state.position) + a.radius + b.radius;
-  return follow(gapAt, kClosedGap * size, model.field->stretch, from, until);
+  const double closed = closedOfBalls(a.state, a.radius, b.state, b.radius);
+  return follow(gapAt, closed, model.field->stretch, from, until);
 }
 
 Encounter encounterWithArena(const PathModel& model, const Path& ball, std::uint32_t partner,
@@ -140,6 +180,40 @@ Encounter encounterWithArena(const PathModel& model, const Path& ball, std::uint
     return {};
   return partner == kGround ? encounterWithGround(model, ball, from, until)
                             : encounterWithWall(model, ball, from, until);
+}
+
+// With r the relative position of the two parabolas, of which each ball is at most
+// pull (t - start)^2 / 2 away: |r| falls no faster than uniform motion makes it.
+bool stayApart(const PathModel& model, const Flyer& a, const Flyer& b, double from, double until) {
+  const double afterA = from - a.path->start;
+  const double afterB = from - b.path->start;
+  const BallState nowA = ballistic(model, *a.path, from);
+  const BallState nowB = ballistic(model, *b.path, from);
+  GapNow now = gapOfBalls(nowA, a.path->radius, nowB, b.path->radius, a.pull + b.pull);
+  now.gap -= (a.pull * afterA * afterA + b.pull * afterB * afterB) / 2;
+  now.closing += a.pull * afterA + b.pull * afterB;
+  const double closed = closedOfBalls(nowA, a.path->radius, nowB, b.path->radius);
+  return staysOpen(now, closed, until - from);
+}
+
+double leastGap(const PathModel& model, const Flyer& ball, double t, const Vec3& position,
+                double radius) {
+  const Path& path = *ball.path;
+  const double after = t - path.start;
+  const double distance = length(ballistic(model, path, t).position - position);
+  return distance - path.radius - radius - ball.pull * after * after / 2;
+}
+
+bool staysOff(const PathModel& model, const Flyer& ball, std::uint32_t partner, double until) {
+  const Path& path = *ball.path;
+  const double duration = until - path.start;
+  // What is held by a surface from the start on touches it within kHeldGap.
+  constexpr double kNear = kHeldGap / kClosedGap;
+  if (partner == kGround)
+    return staysOpen(gapToGround(model, path.state, path.radius, ball.pull),
+                     kNear * closedAtGround(*model.arena, path.state, path.radius), duration);
+  return staysOpen(gapToWall(model, path.state, path.radius, ball.pull, duration),
+                   kNear * closedAtWall(*model.arena, path.radius), duration);
 }
 
 }  // namespace wells

@@ -39,4 +39,23 @@ Encounter encounterOfBalls(const PathModel& model, const Path& a, const Path& b,
 Encounter encounterWithArena(const PathModel& model, const Path& ball, std::uint32_t partner,
                              double from, double until);
 
+/// A ball of whose flight nothing is known but where it starts and that nothing besides gravity
+/// pulls it by more than `pull` (m/s^2, its accelerationBound).
+struct Flyer {
+  const Path* path;
+  double pull;
+};
+
+/// True where two balls cannot meet between `from` (no earlier than their paths start) and `until`:
+/// then a search would find nothing, and they need not be followed.
+bool stayApart(const PathModel& model, const Flyer& a, const Flyer& b, double from, double until);
+
+/// m, a lower bound on its gap at time t to a ball that is then at `position`.
+double leastGap(const PathModel& model, const Flyer& ball, double t, const Vec3& position,
+                double radius);
+
+/// As stayApart(), of a ball and the ground (kGround) or the wall (kWall) from the start of its
+/// path on.
+bool staysOff(const PathModel& model, const Flyer& ball, std::uint32_t partner, double until);
+
 }  // namespace wells

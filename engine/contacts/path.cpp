@@ -24,6 +24,20 @@ double fastest(const Path& path, const BallState& ball, double strongest, double
   return std::sqrt(energy) + strongest * duration;
 }
 
+/// By a well at that distance, to or from which the ball gets by no more than `way` (m). It pulls
+/// most at softening / sqrt(2); further away ever less, and nearer ever less.
+double pullBound(const Well& well, double distance, double way) {
+  const double e2 = well.softening * well.softening;
+  const double least = distance - way;
+  const double most = distance + way;
+  const double worst = least > 0 && 2 * least * least > e2 ? least
+                       : 2 * most * most < e2              ? most
+                                                           : 0;
+  if (worst == 0) return strongestPull(well);
+  const double s2 = worst * worst + e2;
+  return std::abs(well.strength) * worst / (s2 * std::sqrt(s2));
+}
+
 /// By wells and drag.
 double pullBound(const PathModel& model, const Path& path, const BallState& ball, double t,
                  double duration) {
@@ -33,13 +47,9 @@ double pullBound(const PathModel& model, const Path& path, const BallState& ball
   const double speed = fastest(path, ball, strongest, duration);  // drag only slows
   double bound = dragRate(model.drag) * speed;
   for (const Well& well : field.wells) {
-    const Vec3 d = well.position + well.velocity * t - ball.position;
-    const double e2 = well.softening * well.softening;
-    const double s2 = squaredLength(d) + e2;
-    const double now = std::abs(well.strength) * length(d) / (s2 * std::sqrt(s2));
-    const double steepness = std::abs(well.strength) / (e2 * well.softening);
-    bound +=
-        std::min(strongestPull(well), now + steepness * (speed + length(well.velocity)) * duration);
+    const double distance = length(well.position + well.velocity * t - ball.position);
+    const double way = (speed + length(well.velocity)) * duration;
+    bound += pullBound(well, distance, way);
   }
   return bound;
 }

@@ -54,7 +54,7 @@ BallState stateAt(const PathModel& model, const Path& path, double t);
 /// Bound (m/s^2) on the acceleration of a ball that has state `now` on the path at time t, during
 /// the next `duration` seconds. In flight by wells and drag alone; gravity is not in it. Held by a
 /// surface, whatever the source. Rigorous for the true path: a well of strength S and softening e
-/// pulls at most 2 S / (3 sqrt(3) e^2) and changes by at most S / e^3 per metre. Exactly 0 without
+/// pulls by S r / (r^2 + e^2)^(3/2) at the distance r, most at r = e / sqrt(2). Exactly 0 without
 /// wells and drag in flight and on the level ground where nothing slides.
 double accelerationBound(const PathModel& model, const Path& path, const BallState& now, double t,
                          double duration);

@@ -26,6 +26,11 @@ constexpr double kDeepest = std::numeric_limits<double>::infinity();
 template <>
 constexpr double kDeepest<ArenaPartner> = kDeepestInArena;
 
+// An island moves, and does not rest or nearly so, where the centres of two of its balls pass each
+// other faster than this many times the speed which forces gave one of them within the substep. Of
+// what rests it is at most twice.
+constexpr double kMoving = 3;
+
 /// The normal half-way through the substep: there a force that lasted acted on the mean. With it,
 /// what rolls over another ball keeps its energy to second order, and two balls their angular
 /// momentum.
@@ -37,14 +42,23 @@ void turnToMiddle(const Arena& arena, double h, const Balls& balls, Contact& c) 
   if (size > 0) c.normal = middle / size;
 }
 
-/// m/s along the normal that the forces of the substep gave one of the two balls. The other may be
-/// held, so this is what they can explain of a closing speed.
+/// m/s that the forces of the substep gave the two balls.
+struct Pulled {
+  Vec3 a;
+  Vec3 b;
+
+  /// Of one ball: the other may be held, so this is what they can explain of a speed.
+  double along(const Vec3& normal) const {
+    return std::max(std::abs(dot(a, normal)), std::abs(dot(b, normal)));
+  }
+  double squared() const { return std::max(squaredLength(a), squaredLength(b)); }
+};
+
 template <class Partner>
-double pulledSpeed(const Vec3* velocityBefore, const Balls& balls, const Contact& c) {
+Pulled pulledSpeeds(const Vec3* velocityBefore, const Balls& balls, const Contact& c) {
   const Vec3* const velocity = balls.velocity.data();
-  const Vec3 a = velocity[c.a] - velocityBefore[c.a];
-  const Vec3 b = Partner::velocity(velocity, c) - Partner::velocity(velocityBefore, c);
-  return std::max(std::abs(dot(a, c.normal)), std::abs(dot(b, c.normal)));
+  return {velocity[c.a] - velocityBefore[c.a],
+          Partner::velocity(velocity, c) - Partner::velocity(velocityBefore, c)};
 }
 
 /// Geometry, and whether the contact acts: where it touches; where it rested in the substep before,
@@ -56,13 +70,17 @@ void findTouch(const Arena& arena, double h, const Vec3* velocityBefore, const B
   Partner::touch(arena, balls, c);
   c.isSmall = false;
   c.isSolved = false;
-  const double closing = closingSpeed<Partner>(balls.velocity.data(), c);
-  const double pulled = pulledSpeed<Partner>(velocityBefore, balls, c);
+  const Vec3* const velocity = balls.velocity.data();
+  const Vec3 passing = velocity[c.a] - Partner::velocity(velocity, c);
+  const double closing = dot(passing, c.normal);
+  const Pulled pulls = pulledSpeeds<Partner>(velocityBefore, balls, c);
+  const double pulled = pulls.along(c.normal);
   c.isSlow = closing <= kRestFactor * pulled;
   const double near = kNear * balls.radius[c.a];
   const double fall = pulled * h / 2;
   c.isPulled = pulled > 0;
   c.isCoarse = fall > near;
+  c.isMoving = squaredLength(passing) > kMoving * kMoving * pulls.squared();
   c.restedImpulse = c.impact || c.isCoarse || c.gap > near ? 0 : c.normalImpulse;
   c.acts = c.gap <= kClosedGap * sizeOf(arena, balls, c) || c.restedImpulse > 0 ||
            (!c.isCoarse && c.isSlow && c.gap <= fall);
@@ -200,6 +218,10 @@ void give(const DirectSolver::Impulse& total, Balls& balls, Contact& c, const Le
   c.isSolved = true;
 }
 
+bool anyMoves(std::span<Contact* const> island) {
+  return std::ranges::any_of(island, [](const Contact* c) { return c->isMoving; });
+}
+
 /// Where no force acts nothing lasts, and where substeps are too coarse nothing can be told to.
 void findSmallIslands(const ContactLists& contacts, std::size_t ballCount,
                       TouchingIslands& islands) {
@@ -207,7 +229,7 @@ void findSmallIslands(const ContactLists& contacts, std::size_t ballCount,
   for (std::size_t n = 0; n < islands.count(); ++n) {
     const auto island = islands.contacts(n);
     const bool isSmall =
-        island.size() <= kMostDirect &&
+        island.size() <= kMostDirect && (island.size() <= kMostDirectMoving || !anyMoves(island)) &&
         std::ranges::any_of(island, [](const Contact* c) { return c->isPulled; }) &&
         std::ranges::none_of(island, [](const Contact* c) { return c->isCoarse; });
     for (Contact* c : island) c->isSmall = isSmall;
@@ -234,8 +256,9 @@ void solveByPasses(const Settings& settings, std::span<Contact* const> island, B
                    const Ledger& ledger) {
   double built = 0;
   for (const Contact* c : island) built = std::max(built, c->acts ? c->builtUp : 0);
-  const int most =
-      anyImpact(island) ? settings.iterations : std::max(settings.iterations, kPassesAtRest);
+  const int most = anyImpact(island) || anyMoves(island)
+                       ? settings.iterations
+                       : std::max(settings.iterations, kPassesAtRest);
   double changed = std::numeric_limits<double>::infinity();
   for (int pass = 0; pass < most && changed > kSolved * built; ++pass) {
     changed = 0;

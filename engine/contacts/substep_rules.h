@@ -16,10 +16,10 @@ inline constexpr double kDeepestInArena = 0.99;
 /// substep, each loses the impulse that it had found, and the heap creeps for ever.
 inline constexpr double kLeftOverlap = 1e-3;
 
-/// Passes that an island without impacts is given until it is solved, if the settings give fewer:
-/// there impulses last, and what one substep finds serves the next. Until then a heap that should
-/// stand creeps. An island is solved when a pass changes no velocity by more than kSolved of what
-/// forces gave in the substep.
+/// Passes that an island without impacts that does not move is given until it is solved, if the
+/// settings give fewer: there impulses last, and what one substep finds serves the next. Until then
+/// a heap that should stand creeps. An island is solved when a pass changes no velocity by more
+/// than kSolved of what forces gave in the substep.
 inline constexpr int kPassesAtRest = 16;
 inline constexpr double kSolved = 1e-12;
 

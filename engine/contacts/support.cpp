@@ -12,10 +12,6 @@
 namespace wells {
 namespace {
 
-// A gap this small, of the size of the coordinates, is none for a ball that moves neither to nor
-// from the surface: flight in many stretches leaves it so.
-constexpr double kHeldGap = 1e-13;
-
 /// True where the ball of a flying path touches the surface at path.start, and neither leaves nor
 /// approaches it.
 bool restsOn(const PathModel& model, const Path& path) {

@@ -8,6 +8,10 @@
 
 namespace wells {
 
+/// A gap this small, of the size of the coordinates, is none for a ball that moves neither to nor
+/// from the surface: flight in many stretches leaves it so.
+inline constexpr double kHeldGap = 1e-13;
+
 /// What holds the ball of a flying path at path.start: the surface that it touches, neither leaves
 /// nor approaches, and is pressed to, or the corner of both (see corner.h).
 std::uint32_t holderOf(const PathModel& model, Path path);

@@ -1,6 +1,7 @@
 // How a ball moves between contacts: integrators as values in a table.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -18,8 +19,18 @@ struct Flight {
   double drag;         // velocity factor per second, in (0, 1]
 };
 
-/// An integrator advances position (m) and velocity (m/s) of the balls named by `balls`, in one
-/// stretch. Steps go through flyThrough().
+/// Positions (m) and velocities (m/s) of `count` balls, an array a component, of any alignment.
+struct FlightArrays {
+  double* x;
+  double* y;
+  double* z;
+  double* vx;
+  double* vy;
+  double* vz;
+  std::size_t count;
+};
+
+/// An integrator advances balls by one stretch. Steps go through flyThrough().
 struct Integrator {
   std::string_view name;
   std::string_view about;
@@ -27,11 +38,15 @@ struct Integrator {
   int evaluations;  // of the field for one ball and flight
   bool isDense;     // in a flight of any duration velocity is the rate of position, to its order;
                     // what finding impact times within a step asks for
-  void (*fly)(const Flight&, std::span<const std::uint32_t> balls, Vec3* position, Vec3* velocity);
+  void (*fly)(const Flight&, const FlightArrays& balls);
 };
 
-/// Flies the balls through the whole duration: exactly where nothing but gravity acts, whatever the
-/// integrator; else in stretches of field.stretch, the last one shorter.
+/// Flies all balls through the whole duration: exactly where nothing but gravity acts, whatever the
+/// integrator; else in stretches of field.stretch, the last one shorter. A ball has the same bits
+/// whatever balls fly beside it, and on every instruction set.
+void flyThrough(const Integrator& integrator, const Flight& flight, const FlightArrays& balls);
+
+/// The same for the balls named by `balls`.
 void flyThrough(const Integrator& integrator, const Flight& flight,
                 std::span<const std::uint32_t> balls, Vec3* position, Vec3* velocity);
 

@@ -1,20 +1,37 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "flight/leapfrog.cpp"
+#include <hwy/foreach_target.h>
+
+#include "flight/fly_each-inl.h"
 #include "flight/methods.h"
 
-namespace wells {
+HWY_BEFORE_NAMESPACE();
+namespace wells::HWY_NAMESPACE {
 
 // Drag is exact in velocity and split around the kick (Strang), which keeps the second order.
-void flyLeapfrog(const Flight& flight, std::span<const std::uint32_t> balls, Vec3* position,
-                 Vec3* velocity) {
+void leapfrog(const Flight& flight, const FlightArrays& balls) {
   const double h = flight.duration;
   const double half = h / 2;
   const double middle = flight.start + half;
   const double slowdown = dragFactor(flight.drag, half);
-  for (const std::uint32_t i : balls) {
-    position[i] += velocity[i] * half;
-    velocity[i] =
-        (velocity[i] * slowdown + acceleration(*flight.field, position[i], middle) * h) * slowdown;
-    position[i] += velocity[i] * half;
-  }
+  flyEach(balls, [&](auto& x, auto& v) HWY_ATTR {
+    x += v * half;
+    v = (v * slowdown + acceleration(*flight.field, x, middle) * h) * slowdown;
+    x += v * half;
+  });
+}
+
+}  // namespace wells::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace wells {
+
+HWY_EXPORT(leapfrog);
+
+void flyLeapfrog(const Flight& flight, const FlightArrays& balls) {
+  HWY_DYNAMIC_DISPATCH(leapfrog)(flight, balls);
 }
 
 }  // namespace wells
+#endif

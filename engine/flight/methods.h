@@ -5,10 +5,10 @@
 
 namespace wells {
 
-void flySymplecticEuler(const Flight&, std::span<const std::uint32_t>, Vec3*, Vec3*);
-void flyLeapfrog(const Flight&, std::span<const std::uint32_t>, Vec3*, Vec3*);
-void flyHeun(const Flight&, std::span<const std::uint32_t>, Vec3*, Vec3*);
-void flyRungeKutta4(const Flight&, std::span<const std::uint32_t>, Vec3*, Vec3*);
-void flyPefrl(const Flight&, std::span<const std::uint32_t>, Vec3*, Vec3*);
+void flySymplecticEuler(const Flight&, const FlightArrays&);
+void flyLeapfrog(const Flight&, const FlightArrays&);
+void flyHeun(const Flight&, const FlightArrays&);
+void flyRungeKutta4(const Flight&, const FlightArrays&);
+void flyPefrl(const Flight&, const FlightArrays&);
 
 }  // namespace wells

@@ -1,8 +1,13 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "flight/pefrl.cpp"
+#include <hwy/foreach_target.h>
+
+#include "flight/fly_each-inl.h"
 #include "flight/methods.h"
 #include "math/elementary.h"
 
-namespace wells {
-namespace {
+HWY_BEFORE_NAMESPACE();
+namespace wells::HWY_NAMESPACE {
 
 // Omelyan, Mryglod & Folk, "Optimized Forest-Ruth- and Suzuki-like algorithms for integration of
 // motion in many-body systems", Comput. Phys. Commun. 146 (2002) 188, eqs. (20), (22): position
@@ -23,10 +28,7 @@ struct Kick {
   }
 };
 
-}  // namespace
-
-void flyPefrl(const Flight& flight, std::span<const std::uint32_t> balls, Vec3* position,
-              Vec3* velocity) {
+void pefrl(const Flight& flight, const FlightArrays& balls) {
   const Field& field = *flight.field;
   const double h = flight.duration;
   const double k = dragRate(flight.drag);
@@ -36,9 +38,7 @@ void flyPefrl(const Flight& flight, std::span<const std::uint32_t> balls, Vec3* 
   const double near = kChi * h;
   const double middle = (1 - 2 * (kChi + kXi)) * h;
   const double t = flight.start;
-  for (const std::uint32_t i : balls) {
-    Vec3 x = position[i];
-    Vec3 v = velocity[i];
+  flyEach(balls, [&](auto& x, auto& v) HWY_ATTR {
     x += v * edge;
     v = v * outer.keep + acceleration(field, x, t + edge) * outer.gain;
     x += v * near;
@@ -48,9 +48,20 @@ void flyPefrl(const Flight& flight, std::span<const std::uint32_t> balls, Vec3* 
     x += v * near;
     v = v * outer.keep + acceleration(field, x, t + h - edge) * outer.gain;
     x += v * edge;
-    position[i] = x;
-    velocity[i] = v;
-  }
+  });
+}
+
+}  // namespace wells::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace wells {
+
+HWY_EXPORT(pefrl);
+
+void flyPefrl(const Flight& flight, const FlightArrays& balls) {
+  HWY_DYNAMIC_DISPATCH(pefrl)(flight, balls);
 }
 
 }  // namespace wells
+#endif

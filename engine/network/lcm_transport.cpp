@@ -10,6 +10,7 @@
 #include "math/step_timer.h"
 #include "network/multicast_check.h"
 #include "network/socket_drops.h"
+#include "threads/placement.h"
 
 namespace wells {
 namespace {
@@ -119,6 +120,7 @@ void LcmTransport::receive(const lcm_recv_buf_t& message, std::string_view chann
 
 void LcmTransport::receiveLoop(const std::stop_token& stop) {
   blockSignals();
+  nameThisThread("network in");
   auto nextLook = Clock::now();
   while (!stop.stop_requested()) {
     const int handled = lcm_handle_timeout(lcm_.get(), static_cast<int>(kReceivePatience.count()));
@@ -138,6 +140,7 @@ void LcmTransport::lookAtSocket() {
 
 void LcmTransport::sendLoop(const std::stop_token& stop) {
   blockSignals();
+  nameThisThread("network out");
   StepTimer timer(targetRate_);
   while (!stop.stop_requested()) {
     if (timer.targetRate() != targetRate_) timer.setTargetRate(targetRate_);
@@ -207,6 +210,10 @@ std::string LcmTransport::description() const {
 
 void LcmTransport::setTargetRate(double targetRate) {
   targetRate_ = checkedRate(targetRate);
+}
+
+bool LcmTransport::pin(std::span<const int> cores) {
+  return pinThread(receiver_.native_handle(), cores) && pinThread(sender_.native_handle(), cores);
 }
 
 LcmTransport::Rate LcmTransport::networkRate() const {

@@ -78,6 +78,9 @@ class LcmTransport final : public Transport {
   /// Of the sending ticks.
   Rate networkRate() const;
 
+  /// From now on its threads run on these cores only. False: the system does not let them.
+  bool pin(std::span<const int> cores);
+
   /// What the user may want to know about the set-up, one sentence; empty when all is well.
   std::string note() const { return note_; }
 

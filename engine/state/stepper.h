@@ -30,6 +30,7 @@ struct StepCounts {
   std::int64_t clusters = 0;    // instants at which several impacts hung together
   std::int64_t handedOver = 0;  // islands that began as exact and were left to the substeps
   std::int64_t asleep = 0;      // balls that sleep at the end of the step
+  int threads = 1;              // that the step ran on
   std::int64_t flightStretches = 1;  // into which the flight of a step is divided (sharp wells)
 };
 
@@ -42,7 +43,7 @@ struct StepperMemory {
   /// Impulses to start from.
   struct Contact {
     std::uint32_t a = 0;
-    std::uint32_t b = 0;  // a ball, kGround or kWall
+    std::uint32_t b = 0;                 // a ball, kGround or kWall
     double normalImpulse = 0;            // N s, > 0
     Vec3 tangentImpulse = Vec3::Zero();  // N s
     Vec3 rollingImpulse = Vec3::Zero();  // N m s

@@ -3,8 +3,7 @@
 namespace wells {
 namespace {
 
-constexpr double kReachMargin =
-    0.25;  // of the radius; at 0.1 two pairs in 400 steps of ten-thousand.txt came late
+constexpr std::size_t kLeastFlight = 256;  // balls, in which a thread flies
 
 }  // namespace
 
@@ -32,7 +31,7 @@ bool mayTouchArena(const Arena& arena, const Vec3& position, double radius, doub
 }
 
 ResolvedCounts advance(const Settings& settings, const PathModel& model, StepPlan& plan,
-                       Balls& balls, Books* books) {
+                       Balls& balls, ThreadPool& pool, Books* books) {
   StageScope stage(plan.workspace.clock, Stage::Flight);
   Vec3* const position = balls.position.data();
   Vec3* const velocity = balls.velocity.data();
@@ -42,8 +41,11 @@ ResolvedCounts advance(const Settings& settings, const PathModel& model, StepPla
       for (const std::uint32_t i : list)
         bookPath(ledger, model, {balls.state(i), start, balls.radius[i]}, balls.mass[i],
                  start + duration);
-    flyThrough(*model.integrator, {model.field, start, duration, model.drag}, list, position,
-               velocity);
+    const Flight flight{model.field, start, duration, model.drag};
+    pool.forRanges(list.size(), kLeastFlight, [&](std::size_t begin, std::size_t end, std::size_t) {
+      flyThrough(*model.integrator, flight, std::span(list).subspan(begin, end - begin), position,
+                 velocity);
+    });
   };
   fly(0, settings.dt, plan.free);
 

@@ -23,34 +23,28 @@ void Crowd::step(const Settings& settings, const PathModel& model,
                  std::span<const std::uint32_t> island, std::span<const BallPair> pairs,
                  std::span<const std::uint8_t> isLeaning, const ContactMemory& memory, Balls& balls,
                  Books* books) {
+  StageScope stage(clock_, Stage::Batches);
   const double h = settings.dt / settings.substeps;
   island_ = island;
   rules_ = {h, settings.elasticity, settings.friction, *model.arena, 0};
-  StageScope stage(clock_, Stage::Batches);
   gather(settings, pairs, memory, balls);
   for (int n = 0; n < settings.substeps; ++n) {
     rules_.substep = static_cast<std::uint32_t>(n + 1);
     const double start = n * h;
-    stage.next(Stage::Books);
-    if (books) bookFlights(model, start, isLeaning, balls, *books);
     stage.next(Stage::Flight);
+    if (books) bookFlights(model, start, isLeaning, balls, *books);
     fly(model, start, isLeaning);
-    stage.next(Stage::Books);
     const Booking flown = books ? bookingOf(model, start + h, balls) : Booking{};
     stage.next(Stage::Prepare);
     const CrowdSubstep substep = prepare();
     stage.next(Stage::Solve);
     solve(settings, substep);
-    stage.next(Stage::Books);
     const Booking solved = books ? bookingOf(model, start + h, balls) : Booking{};
     const Books impulses = books ? booksOfImpulses(model, balls) : Books{};
     stage.next(Stage::Push);
     shift();
-    stage.next(Stage::Books);
     const Booking shifted = books ? bookingOf(model, start + h, balls) : Booking{};
-    stage.next(Stage::Push);
     pushOut();
-    stage.next(Stage::Books);
     if (books)
       bookSubstep(flown, solved, shifted, bookingOf(model, start + h, balls), impulses, *books);
   }

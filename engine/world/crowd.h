@@ -28,11 +28,11 @@ class Crowd {
             std::span<const BallPair> pairs, std::span<const std::uint8_t> isLeaning,
             const ContactMemory& memory, Balls& balls, Books* books);
 
+  /// Null: none.
+  void setClock(StageClock* clock) { clock_ = clock; }
+
   /// Adds the contacts that lasted to the end of the last step.
   void keep(std::span<const BallPair> pairs, ContactMemory& memory) const;
-
-  /// Null: nobody asks where the time goes.
-  void setClock(StageClock* clock) { clock_ = clock; }
 
  private:
   void gather(const Settings& settings, std::span<const BallPair> pairs,

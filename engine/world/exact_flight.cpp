@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "contacts/held_motion.h"
-#include "contacts/impact_time.h"
 #include "contacts/impacts.h"
 #include "contacts/support.h"
 #include "world/advance.h"
@@ -34,14 +33,13 @@ bool anyOverlaps(const Arena& arena, std::span<const BallPair> pairs, const Ball
 IslandFate ExactFlight::run(const StepInput& in, std::span<const std::uint32_t> island,
                             std::span<const BallPair> pairs, std::span<double> reach,
                             Balls& balls) {
+  begin(in, island, balls);
+  if (std::ranges::all_of(pairs, [&](const BallPair& pair) { return stayApart(in, pair); }))
+    return IslandFate::Alone;
   if (anyOverlaps(*in.model.arena, pairs, balls)) return IslandFate::Sustained;
-  begin(in, island, pairs, balls);
+  takeHold(in, island, pairs, balls);
   IslandFate fate = simulate(in, pairs, reach, balls);
-  if (fate == IslandFate::Done)
-    for (const std::uint32_t i : island) {
-      balls.setState(i, stateAt(in.model, path_[i], dt_));
-      checkReach(in, i, dt_, balls, reach);
-    }
+  if (fate == IslandFate::Done) endStep(in, island, reach, balls);
   if (anyTooFar_) fate = IslandFate::TooFar;
   for (const std::uint32_t i : island) {
     if (fate == IslandFate::Done)
@@ -52,8 +50,39 @@ IslandFate ExactFlight::run(const StepInput& in, std::span<const std::uint32_t> 
   return fate;
 }
 
+void ExactFlight::endStep(const StepInput& in, std::span<const std::uint32_t> island,
+                          std::span<double> reach, Balls& balls) {
+  undisturbed_.clear();
+  for (const std::uint32_t i : island) {
+    if (path_[i].motion == Motion::Flying && path_[i].start == 0) {
+      balls.setState(i, path_[i].state);
+      undisturbed_.push_back(i);
+    } else {
+      balls.setState(i, stateAt(in.model, path_[i], dt_));
+    }
+  }
+  flyThrough(*in.model.integrator, {in.model.field, 0, dt_, in.model.drag}, undisturbed_,
+             balls.position.data(), balls.velocity.data());
+  for (const std::uint32_t i : island) checkReach(in, i, dt_, balls, reach);
+}
+
+void ExactFlight::set(const StepInput& in, std::uint32_t i, const Path& path) {
+  path_[i] = path;
+  if (path.motion == Motion::Flying)
+    pull_[i] = accelerationBound(in.model, path, path.state, path.start, dt_ - path.start);
+}
+
+bool ExactFlight::stayApart(const StepInput& in, const BallPair& pair) const {
+  const Path& a = path_[pair.a];
+  if (a.motion != Motion::Flying) return false;
+  if (!isBall(pair.b)) return staysOff(in.model, flyer(pair.a), pair.b, dt_);
+  const Path& b = path_[pair.b];
+  return b.motion == Motion::Flying &&
+         wells::stayApart(in.model, flyer(pair.a), flyer(pair.b), std::max(a.start, b.start), dt_);
+}
+
 void ExactFlight::begin(const StepInput& in, std::span<const std::uint32_t> island,
-                        std::span<const BallPair> pairs, const Balls& balls) {
+                        const Balls& balls) {
   dt_ = in.settings.dt;
   counts_ = {};
   books_ = {};
@@ -62,8 +91,14 @@ void ExactFlight::begin(const StepInput& in, std::span<const std::uint32_t> isla
   anyTooFar_ = false;
   mostInelastic_ = std::max(kMostInelasticImpacts,
                             kMostInelasticOfBall * static_cast<std::int64_t>(island.size()));
-  events_.clear();
   path_.resize(balls.size());
+  pull_.resize(balls.size());
+  for (const std::uint32_t i : island) set(in, i, {balls.state(i), 0, balls.radius[i]});
+}
+
+void ExactFlight::takeHold(const StepInput& in, std::span<const std::uint32_t> island,
+                           std::span<const BallPair> pairs, const Balls& balls) {
+  events_.clear();
   start_.resize(balls.size());
   end_.resize(balls.size());
   version_.resize(balls.size());
@@ -72,11 +107,8 @@ void ExactFlight::begin(const StepInput& in, std::span<const std::uint32_t> isla
   isInCluster_.resize(balls.size(), 0);
   for (const std::uint32_t i : island) {
     start_[i] = balls.state(i);
-    path_[i] = pathFrom(in.model, start_[i], balls.radius[i], 0);
-    bookHold(i, start_[i], balls);
     version_[i] = 0;
     pairCount_[i] = 0;
-    foreseeEndOfMotion(in, i);
   }
   // The pairs of ball i are pairsOf_[firstPair_[i]] and the pairCount_[i] - 1 after it.
   for (const BallPair& pair : pairs) {
@@ -94,6 +126,12 @@ void ExactFlight::begin(const StepInput& in, std::span<const std::uint32_t> isla
     for (const std::uint32_t i : {pairs[p].a, pairs[p].b})
       if (isBall(i)) pairsOf_[firstPair_[i] + pairCount_[i]++] = p;
   inCluster_.assign(pairs.size(), 0);
+  for (const std::uint32_t i : island) {
+    const Path path = pathFrom(in.model, start_[i], balls.radius[i], 0);
+    if (path.motion != Motion::Flying) set(in, i, path);
+    bookHold(i, start_[i], balls);
+    foreseeEndOfMotion(in, i);
+  }
 }
 
 IslandFate ExactFlight::simulate(const StepInput& in, std::span<const BallPair> pairs,
@@ -113,7 +151,7 @@ IslandFate ExactFlight::simulate(const StepInput& in, std::span<const BallPair> 
       clusterBalls_.assign(1, event.ball);
       book(in, event.ball, event.time, balls);
       const BallState before = stateAt(in.model, path_[event.ball], event.time);
-      path_[event.ball] = pathAfter(in.model, path_[event.ball], event.time);
+      set(in, event.ball, pathAfter(in.model, path_[event.ball], event.time));
       bookHold(event.ball, before, balls);
       ++version_[event.ball];
     } else {
@@ -126,7 +164,7 @@ IslandFate ExactFlight::simulate(const StepInput& in, std::span<const BallPair> 
       for (const std::uint32_t i : clusterBalls_) {
         checkReach(in, i, event.time, balls, reach);
         book(in, i, event.time, balls);
-        path_[i] = pathFrom(in.model, balls.state(i), path_[i].radius, event.time);
+        set(in, i, pathFrom(in.model, balls.state(i), path_[i].radius, event.time));
         bookHold(i, balls.state(i), balls);
         ++version_[i];
       }
@@ -228,6 +266,7 @@ void ExactFlight::add(const Event& event) {
 
 bool ExactFlight::foresee(const StepInput& in, std::span<const BallPair> pairs, std::uint32_t p) {
   const BallPair& pair = pairs[p];
+  if (stayApart(in, pair)) return true;
   const Path& a = path_[pair.a];
   // Where a motion ends, its pairs are looked at again.
   double until = end_[pair.a];
@@ -295,16 +334,21 @@ void ExactFlight::gatherCluster(const StepInput& in, std::span<const BallPair> p
   include(event.pair);
   for (std::size_t n = 0; n < clusterBalls_.size(); ++n) {
     const std::uint32_t i = clusterBalls_[n];
+    const Vec3 at = balls.position[i];
+    const double touching = kTouchingGap * (length(at) + length(arena.center) + arena.radius);
     for (std::uint32_t k = 0; k < pairCount_[i]; ++k) {
       const std::uint32_t p = pairsOf_[firstPair_[i] + k];
       if (inCluster_[p]) continue;
       const std::uint32_t other = pairs[p].a == i ? pairs[p].b : pairs[p].a;
-      if (isBall(other) && !isHere(other))
+      if (isBall(other) && !isHere(other)) {
+        if (path_[other].motion == Motion::Flying &&
+            leastGap(in.model, flyer(other), event.time, at, balls.radius[i]) > 2 * touching)
+          continue;
         balls.setState(other, stateAt(in.model, path_[other], event.time));
+      }
       Contact now{.a = pairs[p].a, .b = pairs[p].b};
       touch(arena, balls, now);
-      const double size = length(balls.position[i]) + length(arena.center) + arena.radius;
-      if (now.gap <= kTouchingGap * size) include(p);
+      if (now.gap <= touching) include(p);
     }
   }
   for (const std::uint32_t i : clusterBalls_) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "broadphase/broadphase.h"
+#include "contacts/impact_time.h"
 #include "contacts/ledger.h"
 #include "state/world.h"
 
@@ -30,6 +31,7 @@ struct StepInput {
 
 enum class IslandFate : std::uint8_t {
   Done,       // the balls are at the end of the step
+  Alone,      // nothing meets: all fly through the step as if each were alone
   Sustained,  // a contact lasts, or inelastic impacts pile up: for the solver of lasting contacts
   TooFar,     // a ball left its reach, so pairs may be missing: enlarge it and start again
   TooMany     // more elastic impacts than settings.mostImpacts
@@ -70,8 +72,8 @@ class ExactFlight {
  public:
   /// Advances the balls of an island, with all pairs that may meet in the step, by
   /// settings.dt. `balls` holds states at the start, and at the end of the step if Done; else
-  /// it is unchanged. reach[i] (m) is how far ball i may move for `pairs` to be complete; where
-  /// TooFar is returned, it has been enlarged.
+  /// it is unchanged (also if Alone: many flights at once cost less). reach[i] (m) is how far ball
+  /// i may move for `pairs` to be complete; where TooFar is returned, it has been enlarged.
   IslandFate run(const StepInput& in, std::span<const std::uint32_t> island,
                  std::span<const BallPair> pairs, std::span<double> reach, Balls& balls);
 
@@ -94,10 +96,22 @@ class ExactFlight {
 
   static bool later(const Event& x, const Event& y);
 
-  void begin(const StepInput& in, std::span<const std::uint32_t> island,
-             std::span<const BallPair> pairs, const Balls& balls);
+  /// Ball i is on this path from now on.
+  void set(const StepInput& in, std::uint32_t i, const Path& path);
+  Flyer flyer(std::uint32_t i) const { return {&path_[i], pull_[i]}; }
+  /// True where it is certain without following paths that the pair does not meet by the end of the
+  /// step, as its balls move now.
+  bool stayApart(const StepInput& in, const BallPair& pair) const;
+  /// As if all were in flight.
+  void begin(const StepInput& in, std::span<const std::uint32_t> island, const Balls& balls);
+  /// Looks who is held, and lists the pairs of each ball.
+  void takeHold(const StepInput& in, std::span<const std::uint32_t> island,
+                std::span<const BallPair> pairs, const Balls& balls);
   IslandFate simulate(const StepInput& in, std::span<const BallPair> pairs, std::span<double> reach,
                       Balls& balls);
+  /// Moves all to the end of the step, which nothing disturbs any more.
+  void endStep(const StepInput& in, std::span<const std::uint32_t> island, std::span<double> reach,
+               Balls& balls);
   /// At an event, with the states of the cluster's balls in `balls`.
   IslandFate resolve(const StepInput& in, double time, Balls& balls);
   enum class Bounce : std::uint8_t {
@@ -143,6 +157,7 @@ class ExactFlight {
 
   // By ball, sized for the world; only those of the island are valid.
   std::vector<Path> path_;
+  std::vector<double> pull_;  // m/s^2, bound on that of wells and drag along the path, in flight
   std::vector<BallState> start_;
   std::vector<double> end_;             // s, of its path; at most dt_
   std::vector<std::uint32_t> version_;  // rises at each event of the ball
@@ -153,8 +168,9 @@ class ExactFlight {
   std::vector<Event> events_;  // heap, earliest first
   std::vector<Contact> cluster_;
   std::vector<std::uint32_t> clusterBalls_;
-  std::vector<std::uint8_t> inCluster_;    // by pair of the island
-  std::vector<std::uint8_t> isInCluster_;  // by ball
+  std::vector<std::uint32_t> undisturbed_;  // that fly through the whole step
+  std::vector<std::uint8_t> inCluster_;     // by pair of the island
+  std::vector<std::uint8_t> isInCluster_;   // by ball
   ExactCounts counts_;
   bool keepsBooks_ = false;
   Books books_;

@@ -37,16 +37,14 @@ class LoneBall {
     if (method != ContactMethod::Substep && !pairs_.empty()) {
       const IslandFate fate = exact_.run(input, {&kBall, 1}, pairs_, {&reach_, 1}, ball);
       if (fate == IslandFate::TooFar && attempts <= kMostExactAttempts) return false;
-      if (fate == IslandFate::Done) {
-        plan_.arenaContacts.clear();
-        return true;
-      }
+      if (fate == IslandFate::Done || fate == IslandFate::Alone) plan_.arenaContacts.clear();
+      if (fate == IslandFate::Done) return true;
     }
     for (Contact& c : plan_.arenaContacts) memory_.start(c, substep_);
     plan_.free.clear();
     plan_.touching.clear();
     (plan_.arenaContacts.empty() ? plan_.free : plan_.touching).push_back(kBall);
-    advance(world_.settings, input.model, plan_, ball);
+    advance(world_.settings, input.model, plan_, ball, pool_);
     return !isBeyondReach(start, ball.state(kBall), world_.settings.dt, reach_);
   }
 
@@ -64,6 +62,7 @@ class LoneBall {
   const Integrator& integrator_;
   std::vector<BallPair> pairs_;
   StepPlan plan_;
+  ThreadPool pool_;
   ContactMemory memory_;
   ExactFlight exact_;
   double substep_ = world_.settings.dt / world_.settings.substeps;  // s

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
 #include <stdexcept>
 
+#include "math/components.h"
+#include "threads/thread_pool.h"
 #include "world/advance.h"
 #include "world/book_keeper.h"
 #include "world/candidates.h"
@@ -15,6 +17,7 @@
 #include "world/crowd.h"
 #include "world/exact_flight.h"
 #include "world/islands.h"
+#include "world/reaches.h"
 #include "world/sleep.h"
 
 namespace wells {
@@ -22,6 +25,8 @@ namespace {
 
 class Simulation : public Stepper {
  public:
+  explicit Simulation(const SimulationOptions& options) : options_(options) {}
+
   std::string name() const override { return "ours"; }
   std::string integrator() const override {
     return integrator_ ? std::string(integrator_->name) : "";
@@ -59,7 +64,8 @@ class Simulation : public Stepper {
     sleep_.wakeAhead(world, field_, contactMemory_);
     stage.next(Stage::Other);
     makeRoom(world.balls.size());
-    for (const std::uint32_t i : sleep_.awake()) prepare(world, i);
+    chooseThreads();
+    prepare(world, sleep_.awake());
     method_ = methodOf(world.settings, field_, integrator);
     try {
       tryUntilComplete(world, integrator);
@@ -93,7 +99,7 @@ class Simulation : public Stepper {
       const bool isComplete = attempt(world, integrator, attempts);
       if (!isComplete) ++attempts;
       if (!sleep_.wakeAround(world, start_, field_, contactMemory_) && isComplete) return;
-      for (const std::uint32_t i : sleep_.woken()) prepare(world, i);
+      prepare(world, sleep_.woken());
       startOver(world.balls);
     }
   }
@@ -107,12 +113,20 @@ class Simulation : public Stepper {
     isTouching_.resize(balls);
   }
 
-  /// A ball whose state is not finite gets no reach: it is in no pair and is not moved.
-  void prepare(const World& world, std::uint32_t i) {
-    start_[i] = world.balls.state(i);
-    reach_[i] = isFinite(start_[i])
-                    ? reachOf(field_, start_[i], world.balls.radius[i], world.settings.dt)
-                    : std::numeric_limits<double>::quiet_NaN();
+  /// Those of several are started by the first step that has enough balls awake.
+  void chooseThreads() {
+    const bool areMany = sleep_.awake().size() >= options_.leastBallsForThreads;
+    if (areMany && options_.threads > 1 && !many_) many_.emplace(options_.threads);
+    pool_ = areMany && many_ ? &*many_ : &one_;
+  }
+
+  void prepare(const World& world, std::span<const std::uint32_t> balls) {
+    pool_->forRanges(balls.size(), kLeastRange,
+                     [&](std::size_t begin, std::size_t end, std::size_t) {
+                       const auto part = balls.subspan(begin, end - begin);
+                       for (const std::uint32_t i : part) start_[i] = world.balls.state(i);
+                       reachesOf(field_, world.balls, part, world.settings.dt, reach_);
+                     });
   }
 
   void startOver(Balls& balls) const {
@@ -124,6 +138,7 @@ class Simulation : public Stepper {
     counts_ = {};
     stepBooks_ = {};
     counts_.flightStretches = field_.stretches;
+    counts_.threads = pool_->threads();
     findPairs(world);
     const StepInput input(world, field_, integrator);
     const bool mayHandOver = attempts > kMostExactAttempts && !isLossless(world.settings);
@@ -132,7 +147,7 @@ class Simulation : public Stepper {
     moveCrowds(input, world);
     planSmallIslands(world);
     planFlights();
-    const ResolvedCounts resolved = advance(world.settings, input.model, plan_, world.balls,
+    const ResolvedCounts resolved = advance(world.settings, input.model, plan_, world.balls, *pool_,
                                             keeper_.books() ? &stepBooks_ : nullptr);
     counts_.substepBalls += static_cast<std::int64_t>(plan_.touching.size());
     counts_.directContacts = resolved.direct;
@@ -141,12 +156,11 @@ class Simulation : public Stepper {
   }
 
   void commit(World& world, const Integrator& integrator) {
-    StageScope stage(clock_.get(), Stage::Prepare);
+    StageScope stage(clock_.get(), Stage::Other);
     ++world.step;
+    stage.next(Stage::Prepare);
     keepContacts();
-    stage.next(Stage::Other);
     if (!world.roles.empty()) findLeaning(world);
-    stage.next(Stage::Candidates);
     countLatePairs(world);
     stage.next(Stage::Other);
     for (const std::uint32_t i : sleep_.awake()) stepsInSubsteps_[i] = nextStepsInSubsteps_[i];
@@ -171,8 +185,20 @@ class Simulation : public Stepper {
       if (isBall(c.b)) leaning[c.a] = leaning[c.b] = 1;
   }
 
+  /// Known at once where nobody sleeps.
+  bool areAllFinite(const Balls& balls) const {
+    if (sleep_.awake().size() < balls.size()) return false;
+    const auto numbers = [](const std::vector<Vec3>& v) {
+      return std::span(v.front().data(), 3 * v.size());
+    };
+    return balls.size() == 0 ||
+           (areFinite(numbers(balls.position)) && areFinite(numbers(balls.velocity)) &&
+            areFinite(numbers(balls.spin)));
+  }
+
   void findQuarantined(const Balls& balls) {
     quarantined_.clear();
+    if (areAllFinite(balls)) return;
     for (const std::uint32_t i : sleep_.awake())
       if (!isFinite(balls.state(i))) quarantined_.push_back(i);
   }
@@ -181,7 +207,7 @@ class Simulation : public Stepper {
 
   /// All islands that go by exact impacts. False: reaches were too short and have been enlarged.
   bool moveByEvents(const StepInput& input, WhenTooFar whenTooFar, World& world) {
-    const StageScope stage(clock_.get(), Stage::Exact);
+    StageScope stage(clock_.get(), Stage::Islands);
     bool isComplete = true;
     Balls& balls = world.balls;
     const auto isLeaning = candidates_.isLeaning();
@@ -195,12 +221,19 @@ class Simulation : public Stepper {
           if (stepsInSubsteps_[i] > 0) nextStepsInSubsteps_[i] = stepsInSubsteps_[i] - 1;
         continue;
       }
+      stage.next(Stage::Exact);
       const IslandFate fate = exact_.run(input, island, islands_.pairs(n), reach_, balls);
+      stage.next(Stage::Islands);
       if (fate == IslandFate::TooFar && whenTooFar == WhenTooFar::StartOver) {
         isComplete = false;
         continue;
       }
       if (fate == IslandFate::TooMany && method_ == ContactMethod::Exact) giveUp(world, island);
+      if (fate == IslandFate::Alone) {
+        isIslandDone_[n] = 1;  // but not its balls, which are still to fly
+        counts_.exactBalls += static_cast<std::int64_t>(island.size());
+        continue;
+      }
       if (fate != IslandFate::Done) {
         ++counts_.handedOver;
         if (island.size() > kCrowd)
@@ -257,17 +290,16 @@ class Simulation : public Stepper {
   void findPairs(const World& world) {
     StageScope stage(clock_.get(), Stage::Candidates);
     candidates_.find(world, reach_, sleep_.awake());
+    stage.next(Stage::Islands);
     counts_.candidatePairs = candidates_.pairs();
     counts_.contacts =
         static_cast<std::int64_t>(candidates_.ballPairs().size() + candidates_.arenaPairs().size());
-    stage.next(Stage::Islands);
     islands_.find(candidates_.ballPairs(), candidates_.arenaPairs(), sleep_.awake());
     isIslandDone_.assign(islands_.count(), 0);
     for (const std::uint32_t i : sleep_.awake()) isDone_[i] = nextStepsInSubsteps_[i] = 0;
   }
 
   void planSmallIslands(const World& world) {
-    const StageScope stage(clock_.get(), Stage::Prepare);
     plan_.ballContacts.clear();
     plan_.arenaContacts.clear();
     for (std::size_t n = 0; n < islands_.count(); ++n) {
@@ -331,9 +363,13 @@ class Simulation : public Stepper {
     }
   }
 
-  static constexpr double kLateOverlap = 1e-6;  // of the sum of radii
+  static constexpr std::size_t kLeastRange = 256;  // balls, in which a thread prepares
+  static constexpr double kLateOverlap = 1e-6;     // of the sum of radii
   static constexpr std::int64_t kNoStep = -2;
 
+  const SimulationOptions options_;
+  ThreadPool one_;
+  std::optional<ThreadPool> many_;
   // Kept from step to step.
   Candidates candidates_;
   ContactMemory contactMemory_;
@@ -350,6 +386,7 @@ class Simulation : public Stepper {
   mutable StepperMemory memory_;  // made when asked for
   std::unique_ptr<StageClock> clock_;
   // Of the step or the attempt at hand.
+  ThreadPool* pool_ = &one_;
   Field field_;
   // By ball; only those of balls that are awake are valid.
   std::vector<BallState> start_;
@@ -368,8 +405,8 @@ class Simulation : public Stepper {
 
 }  // namespace
 
-std::unique_ptr<Stepper> makeSimulation() {
-  return std::make_unique<Simulation>();
+std::unique_ptr<Stepper> makeSimulation(const SimulationOptions& options) {
+  return std::make_unique<Simulation>(options);
 }
 
 }  // namespace wells

@@ -145,6 +145,10 @@ TEST(ConfigFile, RefusesEveryBadValue) {
       {"SimulationRate=-1", "out of range"},
       {"GraphicsRate=0", "out of range"},
       {"NetworkRate=0", "out of range"},
+      {"Threads=65", "out of range"},
+      {"SimulationCores=0-", "missing"},
+      {"GraphicsCores=5-2", "5-2 runs backwards"},
+      {"NetworkCores=second", "not a whole number"},
       {"FullScreen=maybe", "neither true nor false"},
       {"ScreenWidth=10", "out of range"},
       {"ScreenHeight=1e3", "not a whole number"},
@@ -229,7 +233,9 @@ TEST(CanonicalConfig, ListsWhatDiffersFromTheDefaultInTableOrder) {
   config.ballCount = 3;
   config.settings.gravity.y() = 0;
   config.wells = {{.position = {1, 2, 3}, .strength = 4, .softening = 5}};
-  config.peerId = 7;  // each peer's own
+  config.peerId = 7;  // each peer's own, as are its threads
+  config.threads = 2;
+  config.graphicsCores = {.kind = CoreChoice::Kind::Any};
   const World world = makeWorld(config, "ours");
   EXPECT_EQ(canonicalConfig(config, "ours", world.balls),
             "NumOfBalls=3\nGravity=0\nWell=1,2,3,4,5\n");

@@ -15,9 +15,9 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::map<std::string, int> kFloors = {
-    {"math", 0},      {"state", 1},    {"forces", 2},   {"broadphase", 2}, {"scenes", 2},
-    {"render", 2},    {"flight", 3},   {"contacts", 4}, {"ownership", 2},  {"world", 5},
-    {"reference", 5}, {"baseline", 5}, {"network", 6}};
+    {"math", 0},   {"threads", 0},   {"state", 1},    {"forces", 2},   {"broadphase", 2},
+    {"scenes", 2}, {"render", 2},    {"flight", 3},   {"contacts", 4}, {"ownership", 2},
+    {"world", 5},  {"reference", 5}, {"baseline", 5}, {"network", 6}};
 
 const fs::path kEngine = fs::path(SOURCE_DIR) / "engine";
 

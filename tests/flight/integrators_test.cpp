@@ -17,11 +17,14 @@ struct Point {
   Vec3 v;
 };
 
+FlightArrays arraysOf(Point& p) {
+  return {&p.x.x(), &p.x.y(), &p.x.z(), &p.v.x(), &p.v.y(), &p.v.z(), 1};
+}
+
 Point fly(const Integrator& integrator, Field field, Point p, double dt, int steps,
           double drag = 1) {
-  const std::uint32_t ball = 0;
   for (int i = 0; i < steps; ++i) {
-    integrator.fly({&field, 0, dt, drag}, {&ball, 1}, &p.x, &p.v);
+    integrator.fly({&field, 0, dt, drag}, arraysOf(p));
     for (Well& well : field.wells) well.position += well.velocity * dt;
   }
   return p;
@@ -131,21 +134,18 @@ TEST_P(EachIntegrator, FliesAParabolaUnderGravityAlone) {
 TEST_P(EachIntegrator, FliesInStretches) {
   Field field{.wells = {{.velocity = {1, 0, -2}, .strength = 50, .softening = 0.5}}};
   field.stretch = 0.01;
-  Vec3 x{3, 0, 0};
-  Vec3 v{0, 0, 2};
-  Vec3 xs = x;
-  Vec3 vs = v;
-  const std::uint32_t ball = 0;
-  flyThrough(method(), {&field, 0, 0.035, 0.9}, {&ball, 1}, &x, &v);
+  Point whole{{3, 0, 0}, {0, 0, 2}};
+  Point parts = whole;
+  flyThrough(method(), {&field, 0, 0.035, 0.9}, arraysOf(whole));
   double at = 0;
   double left = 0.035;
   for (const double h : {0.01, 0.01, 0.01, 0.0}) {
-    method().fly({&field, at, h > 0 ? h : left, 0.9}, {&ball, 1}, &xs, &vs);
+    method().fly({&field, at, h > 0 ? h : left, 0.9}, arraysOf(parts));
     at += h;
     left -= h;
   }
-  EXPECT_EQ(x, xs);
-  EXPECT_EQ(v, vs);
+  EXPECT_EQ(whole.x, parts.x);
+  EXPECT_EQ(whole.v, parts.v);
 }
 
 }  // namespace

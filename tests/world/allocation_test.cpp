@@ -37,6 +37,16 @@ TEST(Allocation, WarmStepTakesNothingFromTheHeap) {
   EXPECT_EQ(allocations - before, 0);
 }
 
+TEST(Allocation, NorDoesOneOnSeveralThreads) {
+  World world = makeScene(findScene("T1"), 500);
+  const auto simulation = makeSimulation({.threads = 3, .leastBallsForThreads = 0});
+  for (int step = 0; step < 400; ++step) simulation->step(world);
+  ASSERT_EQ(simulation->counts().threads, 3);
+  const long before = allocations;
+  for (int step = 0; step < 100; ++step) simulation->step(world);
+  EXPECT_EQ(allocations - before, 0);
+}
+
 TEST(Allocation, NorDoesOneAtAWorldThatSleeps) {
   World world = makeScene(findScene("T3"), 500);
   const auto simulation = makeSimulation();
