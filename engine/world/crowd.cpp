@@ -35,7 +35,7 @@ class FlightBlock {
 }  // namespace
 
 void Crowd::step(const CrowdInput& in, Balls& balls, ThreadPool& pool, Books* books) {
-  const StageScope stage(clock_, Stage::Prepare);
+  const StageScope stage(clock_, Stage::Batches);
   const int substeps = in.settings.substeps;
   const double h = in.settings.dt / substeps;
   order_.sort(balls, in.island);
