@@ -6,59 +6,30 @@
 namespace wells {
 namespace {
 
-// After the colours of contacts between balls: those for which no colour was left (a ball with so
-// many neighbours), one by one; ground; wall.
-constexpr std::uint8_t kColours = 64;
-constexpr std::uint8_t kUncoloured = kColours;
-constexpr std::uint8_t kOfGround = kColours + 1;
-constexpr std::uint8_t kOfWall = kColours + 2;
-constexpr std::size_t kKinds = kColours + 3;
+constexpr std::uint32_t kColours = 64;
+
+// After the colours within tiles and those between them: contacts for which no colour was left (of
+// a ball with so many neighbours), one by one; ground; wall.
+enum Last : std::uint32_t { kUncoloured = kColours, kOfGround, kOfWall, kLasts };
+
+std::uint32_t lastOf(std::uint32_t partner) {
+  return partner == kGround ? kOfGround : kOfWall;
+}
 
 }  // namespace
 
 void ContactBatches::split(std::span<const BallPair> pairs, std::span<const std::uint32_t> balls,
                            std::span<const std::uint32_t> place) {
-  const std::size_t ballCount = balls.size();
+  tiles_ = (static_cast<std::uint32_t>(balls.size()) + kTileBalls - 1) / kTileBalls;
   orderPairs(pairs, balls, place);
-  used_.assign(ballCount, 0);
-  colour_.resize(pairs.size());
-  next_.assign(kKinds + 1, 0);
-  for (const std::uint32_t n : order_) {
-    const auto [a, b] = pairs[n];
-    std::uint8_t colour = b == kGround ? kOfGround : kOfWall;
-    if (isBall(b)) {
-      std::uint64_t& usedA = used_[place[a]];
-      std::uint64_t& usedB = used_[place[b]];
-      colour = static_cast<std::uint8_t>(std::countr_one(usedA | usedB));
-      if (colour < kColours) {
-        usedA |= std::uint64_t{1} << colour;
-        usedB |= std::uint64_t{1} << colour;
-      }
-    }
-    colour_[n] = colour;
-    ++next_[colour + 1];
-  }
-
-  batches_.clear();
-  for (std::size_t kind = 0; kind < kKinds; ++kind) {
-    const std::uint32_t first = next_[kind];
-    const std::uint32_t last = next_[kind + 1] += first;
-    const PartnerKind partner = kind == kOfGround ? PartnerKind::Ground
-                                : kind == kOfWall ? PartnerKind::Wall
-                                                  : PartnerKind::Ball;
-    if (kind == kUncoloured)
-      for (std::uint32_t n = first; n < last; ++n) batches_.push_back({partner, n, n + 1});
-    else if (first < last)
-      batches_.push_back({partner, first, last});
-  }
-
+  colour();
+  listBatches();
   pairs_.resize(pairs.size());
   slots_.resize(pairs.size());
-  for (const std::uint32_t n : order_) {
-    const auto [a, b] = pairs[n];
-    const std::uint32_t to = next_[colour_[n]]++;
-    pairs_[to] = {place[a], isBall(b) ? place[b] : static_cast<std::uint32_t>(ballCount)};
-    slots_[n] = to;
+  for (const Ordered& pair : ordered_) {
+    const std::uint32_t to = next_[pair.list]++;
+    pairs_[to] = pair.balls;
+    slots_[pair.given] = to;
   }
 }
 
@@ -66,18 +37,67 @@ void ContactBatches::split(std::span<const BallPair> pairs, std::span<const std:
 void ContactBatches::orderPairs(std::span<const BallPair> pairs,
                                 std::span<const std::uint32_t> balls,
                                 std::span<const std::uint32_t> place) {
-  constexpr std::uint32_t kNone = 0xffffffff;
-  firstOf_.assign(2 * balls.size(), kNone);  // between balls; with the arena
-  const auto listOf = [&](const BallPair& pair) { return 2 * place[pair.a] + !isBall(pair.b); };
-  for (std::uint32_t n = 0; n < pairs.size(); ++n) {
-    std::uint32_t& first = firstOf_[listOf(pairs[n])];
-    first = std::min(first, n);
+  const auto ballCount = static_cast<std::uint32_t>(balls.size());
+  const auto count = static_cast<std::uint32_t>(pairs.size());
+  const std::uint32_t between = tiles_ * kColours;
+  firstOf_.assign(ballCount, {count, count});
+  for (std::uint32_t n = 0; n < count; ++n) {
+    const auto [a, b] = pairs[n];
+    if (n > 0 && pairs[n - 1].a == a && isBall(pairs[n - 1].b) == isBall(b)) continue;
+    (isBall(b) ? firstOf_[place[a]].ball : firstOf_[place[a]].arena) = n;
   }
-  order_.clear();
-  order_.reserve(pairs.size());
-  for (std::size_t list = 0; list < firstOf_.size(); ++list)
-    for (std::uint32_t n = firstOf_[list]; n < pairs.size() && listOf(pairs[n]) == list; ++n)
-      order_.push_back(n);
+  ordered_.clear();
+  ordered_.reserve(count);
+  for (std::uint32_t k = 0; k < ballCount; ++k) {
+    const auto isMine = [&](std::uint32_t n) { return n < count && pairs[n].a == balls[k]; };
+    for (std::uint32_t n = firstOf_[k].ball; isMine(n) && isBall(pairs[n].b); ++n)
+      ordered_.push_back({{k, place[pairs[n].b]}, n, 0});
+    for (std::uint32_t n = firstOf_[k].arena; isMine(n); ++n)
+      ordered_.push_back({{k, ballCount}, n, between + lastOf(pairs[n].b)});
+  }
+}
+
+void ContactBatches::colour() {
+  const std::uint32_t between = tiles_ * kColours;
+  used_.assign(firstOf_.size(), {});
+  next_.assign(between + kLasts + 1, 0);
+  for (Ordered& pair : ordered_) {
+    if (pair.balls.b < used_.size()) {
+      const std::uint32_t tile = pair.balls.a / kTileBalls;
+      const bool isWithin = tile == pair.balls.b / kTileBalls;
+      std::uint64_t Used::*const kind = isWithin ? &Used::within : &Used::between;
+      std::uint64_t& usedA = used_[pair.balls.a].*kind;
+      std::uint64_t& usedB = used_[pair.balls.b].*kind;
+      const auto free = static_cast<std::uint32_t>(std::countr_one(usedA | usedB));
+      pair.list = between + kUncoloured;
+      if (free < kColours) {
+        usedA |= std::uint64_t{1} << free;
+        usedB |= std::uint64_t{1} << free;
+        pair.list = (isWithin ? tile * kColours : between) + free;
+      }
+    }
+    ++next_[pair.list + 1];
+  }
+  for (std::size_t list = 1; list < next_.size(); ++list) next_[list] += next_[list - 1];
+}
+
+void ContactBatches::listBatches() {
+  batches_.clear();
+  const std::uint32_t between = tiles_ * kColours;
+  for (std::uint32_t list = 0; list < between + kLasts; ++list) {
+    const std::uint32_t first = next_[list];
+    const std::uint32_t last = next_[list + 1];
+    if (list == between + kUncoloured) {
+      for (std::uint32_t n = first; n < last; ++n)
+        batches_.push_back({PartnerKind::Ball, kNoTile, n, n + 1});
+      continue;
+    }
+    if (first == last) continue;
+    const PartnerKind partner = list == between + kOfGround ? PartnerKind::Ground
+                                : list == between + kOfWall ? PartnerKind::Wall
+                                                            : PartnerKind::Ball;
+    batches_.push_back({partner, list < between ? list / kColours : kNoTile, first, last});
+  }
 }
 
 }  // namespace wells

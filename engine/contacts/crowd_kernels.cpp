@@ -257,9 +257,15 @@ HWY_INLINE V3 acrossRate(const V3& va, const V3& vb) {
   return {va.x, set(0), va.z};
 }
 
+/// CrowdSubstep, lane by lane.
+struct Lasting {
+  M anyImpact;
+  V builtUp;
+};
+
 template <PartnerKind kPartner, bool kRubs>
 void prepareLanes(const CrowdRules& rules, const CrowdArrays& in, std::size_t lane,
-                  ContactBlock& block, ContactFlight& flight, CrowdSubstep& substep) {
+                  ContactBlock& block, ContactFlight& flight, Lasting& most) {
   constexpr bool kIsBall = kPartner == PartnerKind::Ball;
   const V zero = set(0);
   const std::uint32_t* const a = block.a + lane;
@@ -345,14 +351,15 @@ void prepareLanes(const CrowdRules& rules, const CrowdArrays& in, std::size_t la
   store(builtUp, flight.builtUp);
   store(hn::IfThenElse(isImpact, zero, set(1)), flight.lasts);
   store(hn::IfThenElse(isCoarse, zero, set(1)), flight.rubShifts);
-  substep.anyImpact = substep.anyImpact || !hn::AllFalse(kTag, isImpact);
-  substep.builtUp = std::max(substep.builtUp, hn::GetLane(hn::MaxOfLanes(kTag, builtUp)));
+  most.anyImpact = hn::Or(most.anyImpact, isImpact);
+  most.builtUp = hn::Max(most.builtUp, builtUp);
 }
 
 template <PartnerKind kPartner, bool kRubs>
 void prepareAll(const CrowdRules& rules, const CrowdArrays& in,
                 std::span<const std::uint32_t> touching, ContactBlock* blocks,
                 ContactFlight* flights, CrowdSubstep& substep) {
+  Lasting most{hn::FirstN(kTag, 0), set(0)};
   for (std::size_t first = 0; first < touching.size(); first += kContactLanes) {
     ContactBlock& block = blocks[first / kContactLanes];
     block.count = static_cast<std::uint32_t>(std::min(kContactLanes, touching.size() - first));
@@ -364,9 +371,10 @@ void prepareAll(const CrowdRules& rules, const CrowdArrays& in,
       block.b[lane] = isUsed ? in.pairs[p].b : in.idleBall + 1;
     }
     for (std::size_t lane = 0; lane < kContactLanes; lane += kLanes)
-      prepareLanes<kPartner, kRubs>(rules, in, lane, block, flights[first / kContactLanes],
-                                    substep);
+      prepareLanes<kPartner, kRubs>(rules, in, lane, block, flights[first / kContactLanes], most);
   }
+  substep.anyImpact = substep.anyImpact || !hn::AllFalse(kTag, most.anyImpact);
+  substep.builtUp = std::max(substep.builtUp, hn::GetLane(hn::MaxOfLanes(kTag, most.builtUp)));
 }
 
 template <PartnerKind kPartner, bool kRubs, bool kWatches>

@@ -1,5 +1,5 @@
 // An order of balls in which those that are near each other in space are near each other in memory,
-// so that contacts find both in the cache.
+// so that contacts find both in the cache, and most contacts are within short stretches of it.
 #pragma once
 
 #include <span>
@@ -9,7 +9,8 @@
 
 namespace wells {
 
-/// Sorts by columns of the ground, row after row. It depends on positions and ids alone.
+/// Sorts by square columns of space, and those along a Z-order curve (Morton, "A computer oriented
+/// geodetic data base", IBM 1966). It depends on positions and ids alone.
 class SpatialOrder {
  public:
   /// `ids` rise; their positions are finite.

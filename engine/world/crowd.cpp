@@ -129,11 +129,13 @@ void Crowd::planBlocks(std::size_t threads) {
     const std::size_t size = batches[n].last - batches[n].first;
     firstBlock_.push_back(blocks);
     blocks += (size + kContactLanes - 1) / kContactLanes;
-    const bool isShared = threads > 1 && size >= kLeastPairs;
-    if (!isShared && !groups_.empty() && !groups_.back().isShared)
+    const Sharing sharing = batches[n].tile != kNoTile           ? Sharing::Tiles
+                            : threads > 1 && size >= kLeastPairs ? Sharing::Batch
+                                                                 : Sharing::Nothing;
+    if (!groups_.empty() && groups_.back().sharing == sharing && sharing != Sharing::Batch)
       groups_.back().last = n + 1;
     else
-      groups_.push_back({n, n + 1, isShared});
+      groups_.push_back({n, n + 1, sharing});
   }
   makeRoomFor(blocks_, blocks);
   makeRoomFor(flights_, blocks);
@@ -194,11 +196,23 @@ template <class Action>
 void Crowd::forEachPart(std::size_t thread, Barrier& barrier, Action action) {
   const auto batches = batches_.batches();
   for (const Group& group : groups_) {
-    if (group.isShared || thread == 0)
-      for (std::size_t n = group.first; n < group.last; ++n)
+    for (std::size_t n = group.first; n < group.last; ++n)
+      if (takesPart(thread, group.sharing, batches[n]))
         action(n, batches[n].partner, parts_[n * threads_ + thread]);
     barrier.wait();
   }
+}
+
+bool Crowd::takesPart(std::size_t thread, Sharing sharing, const ContactBatch& batch) const {
+  switch (sharing) {
+    case Sharing::Tiles:
+      return batch.tile * threads_ / batches_.tiles() == thread;
+    case Sharing::Batch:
+      return true;
+    case Sharing::Nothing:
+      return thread == 0;
+  }
+  return false;
 }
 
 // First what touches, where nothing moves yet, into the blocks that the thread fills then.
@@ -206,10 +220,10 @@ void Crowd::prepare(std::size_t thread, Barrier& barrier) {
   const CrowdArrays arrays = arraysOf(thread);
   const auto batches = batches_.batches();
   for (const Group& group : groups_) {
-    if (!group.isShared && thread > 0) continue;
     for (std::size_t n = group.first; n < group.last; ++n) {
-      const auto [partner, first, last] = batches[n];
-      const IndexRange range = group.isShared
+      if (!takesPart(thread, group.sharing, batches[n])) continue;
+      const auto [partner, tile, first, last] = batches[n];
+      const IndexRange range = group.sharing == Sharing::Batch
                                    ? partOf(last - first, kContactLanes, thread, threads_)
                                    : IndexRange{0, last - first};
       Part& part = parts_[n * threads_ + thread];

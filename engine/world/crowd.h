@@ -49,11 +49,13 @@ class Crowd {
     std::size_t first = 0;
     std::size_t count = 0;
   };
-  /// Batches that one thread goes through alone, or one that all share.
+  /// Batches between which no thread waits: those of tiles, each tile one thread's; one that all
+  /// threads share; or some that are not worth it, which the first does.
+  enum class Sharing : std::uint8_t { Tiles, Batch, Nothing };
   struct Group {
     std::size_t first;
     std::size_t last;
-    bool isShared;
+    Sharing sharing;
   };
   /// What a thread found; on a cache line of its own.
   struct alignas(64) Found {
@@ -72,7 +74,8 @@ class Crowd {
   void shift(std::size_t thread, Barrier& barrier);
   void pushOut(std::size_t thread, Barrier& barrier);
   void keepInArena();
-  /// Calls action(partner, part) for each part that is the thread's, batch after batch.
+  bool takesPart(std::size_t thread, Sharing sharing, const ContactBatch& batch) const;
+  /// Calls action(number of the batch, its partner, part) for each part that is the thread's.
   template <class Action>
   void forEachPart(std::size_t thread, Barrier& barrier, Action action);
   std::span<ContactBlock> blocksOf(const Part& part) {
