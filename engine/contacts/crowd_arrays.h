@@ -27,12 +27,10 @@ struct alignas(64) Momentum {
   double unused = 0;
 };
 
-/// What the flight of a substep ended with, before any impulse.
-struct alignas(64) Flown {
+/// By how much forces changed the velocity in the flight of a substep.
+struct alignas(32) Gained {
   double vx = 0, vy = 0, vz = 0;  // m/s
   double unused = 0;
-  double gx = 0, gy = 0, gz = 0;  // m/s, by which forces changed the velocity
-  double unusedToo = 0;
 };
 
 /// What a contact carries from substep to substep.

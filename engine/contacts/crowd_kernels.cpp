@@ -272,16 +272,15 @@ void prepareLanes(const CrowdRules& rules, const CrowdArrays& in, std::size_t la
   const std::uint32_t* const b = block.b + lane;
   const V4 placeA = loadPlaces(in.place, a);
   const V4 placeB = kIsBall ? loadPlaces(in.place, b) : placeA;
-  const auto flownOf = [&](const std::uint32_t* index) {
-    return xyz(loadQuads([&](std::size_t l) { return &in.flown[index[l]].vx; }));
-  };
   const auto gainedOf = [&](const std::uint32_t* index) {
-    return xyz(loadQuads([&](std::size_t l) { return &in.flown[index[l]].gx; }));
+    return xyz(loadQuads([&](std::size_t l) { return &in.gained[index[l]].vx; }));
   };
   const V3 none{zero, zero, zero};
-  const V3 va = flownOf(a);
+  const Moving movingA = loadMoving<false>(in.momentum, a);
+  const Moving movingB = kIsBall ? loadMoving<false>(in.momentum, b) : movingA;
+  const V3 va = xyz(movingA.v);
   const V3 ga = gainedOf(a);
-  const V3 vb = kIsBall ? flownOf(b) : none;
+  const V3 vb = kIsBall ? xyz(movingB.v) : none;
   const V3 gb = kIsBall ? gainedOf(b) : none;
 
   const Geometry now = geometryOf<kPartner>(rules.arena, placeA, placeB);
@@ -320,8 +319,6 @@ void prepareLanes(const CrowdRules& rules, const CrowdArrays& in, std::size_t la
   const V bounce = hn::IfThenElse(isImpact, hn::Mul(set(rules.elasticity), closing),
                                   hn::IfThenElseZero(rests, turning));
 
-  Moving movingA = loadMoving<kRubs>(in.momentum, a);
-  Moving movingB = kIsBall ? loadMoving<kRubs>(in.momentum, b) : movingA;
   const V inverseMasses = kIsBall ? hn::Add(movingA.v.w, movingB.v.w) : movingA.v.w;
   const V normalImpulse = hn::IfThenElseZero(isWarm, old.x);
   V3 tangent = none;
@@ -329,13 +326,6 @@ void prepareLanes(const CrowdRules& rules, const CrowdArrays& in, std::size_t la
     tangent = choose(isWarm, {old.y, old.z, old.w}, none);
     tangent = tangent - scaled(dot(tangent, normal), normal);  // the normal has turned
   }
-  if (!hn::AllFalse(kTag, isWarm)) {
-    push<kPartner>(tangent - scaled(normalImpulse, normal), movingA, movingB);
-    if constexpr (kRubs) twist<kPartner>(normal, tangent, movingA, movingB);
-    storeMoving<kRubs>(movingA, in.momentum, a);
-    if constexpr (kIsBall) storeMoving<kRubs>(movingB, in.momentum, b);
-  }
-
   const auto store = [&](V v, double* to) { hn::Store(v, kTag, to + lane); };
   store(normal.x, block.nx);
   store(normal.y, block.ny);
@@ -375,6 +365,25 @@ void prepareAll(const CrowdRules& rules, const CrowdArrays& in,
   }
   substep.anyImpact = substep.anyImpact || !hn::AllFalse(kTag, most.anyImpact);
   substep.builtUp = std::max(substep.builtUp, hn::GetLane(hn::MaxOfLanes(kTag, most.builtUp)));
+}
+
+template <PartnerKind kPartner, bool kRubs>
+void warmStartAll(const CrowdArrays& in, std::span<const ContactBlock> blocks) {
+  constexpr bool kIsBall = kPartner == PartnerKind::Ball;
+  for (const ContactBlock& block : blocks) {
+    for (std::size_t lane = 0; lane < kContactLanes; lane += kLanes) {
+      const V impulse = load(block.normal + lane);
+      if (hn::AllFalse(kTag, hn::Gt(impulse, set(0)))) continue;
+      Moving a = loadMoving<kRubs>(in.momentum, block.a + lane);
+      Moving b = kIsBall ? loadMoving<kRubs>(in.momentum, block.b + lane) : a;
+      const V3 normal = normalOf(block, lane);
+      const V3 tangent = tangentOf(block, lane);
+      push<kPartner>(tangent - scaled(impulse, normal), a, b);
+      if constexpr (kRubs) twist<kPartner>(normal, tangent, a, b);
+      storeMoving<kRubs>(a, in.momentum, block.a + lane);
+      if constexpr (kIsBall) storeMoving<kRubs>(b, in.momentum, block.b + lane);
+    }
+  }
 }
 
 template <PartnerKind kPartner, bool kRubs, bool kWatches>
@@ -540,6 +549,16 @@ void prepare(PartnerKind partner, const CrowdRules& rules, const CrowdArrays& in
   });
 }
 
+void warmStart(PartnerKind partner, const CrowdRules& rules, const CrowdArrays& in,
+               std::span<const ContactBlock> blocks) {
+  withKind(partner, [&]<PartnerKind kPartner>() {
+    if (rules.friction > 0)
+      warmStartAll<kPartner, true>(in, blocks);
+    else
+      warmStartAll<kPartner, false>(in, blocks);
+  });
+}
+
 double solve(PartnerKind partner, Watch watch, const CrowdRules& rules, const CrowdArrays& in,
              std::span<ContactBlock> blocks) {
   return withKind(partner, [&]<PartnerKind kPartner>() {
@@ -571,6 +590,7 @@ namespace wells {
 
 HWY_EXPORT(touching);
 HWY_EXPORT(prepare);
+HWY_EXPORT(warmStart);
 HWY_EXPORT(solve);
 HWY_EXPORT(shift);
 HWY_EXPORT(pushOut);
@@ -584,6 +604,11 @@ void prepareContacts(PartnerKind partner, const CrowdRules& rules, const CrowdAr
                      std::span<const std::uint32_t> list, ContactBlock* blocks,
                      ContactFlight* flights, CrowdSubstep& substep) {
   HWY_DYNAMIC_DISPATCH(prepare)(partner, rules, arrays, list, blocks, flights, substep);
+}
+
+void startFromLasting(PartnerKind partner, const CrowdRules& rules, const CrowdArrays& arrays,
+                      std::span<const ContactBlock> blocks) {
+  HWY_DYNAMIC_DISPATCH(warmStart)(partner, rules, arrays, blocks);
 }
 
 double solveContacts(PartnerKind partner, Watch watch, const CrowdRules& rules,

@@ -19,7 +19,7 @@ enum class PartnerKind : std::uint8_t { Ball, Ground, Wall };
 struct CrowdArrays {
   Place* place;
   Momentum* momentum;
-  const Flown* flown;
+  const Gained* gained;
   const std::uint32_t* ids;  // in the world
   const IndexPair* pairs;
   LastingImpulse* lasting;   // by pair
@@ -45,11 +45,15 @@ struct CrowdSubstep {
 std::size_t findTouching(PartnerKind partner, const CrowdRules& rules, const CrowdArrays& arrays,
                          std::uint32_t first, std::uint32_t last, std::uint32_t* touching);
 
-/// Fills blocks with the pairs listed, which share no ball, and gives the balls the impulses that
-/// last. `blocks` has room for all, in blocks of kContactLanes.
+/// Fills blocks with the pairs listed, from the state before any impulse. `blocks` has room for
+/// all, in blocks of kContactLanes.
 void prepareContacts(PartnerKind partner, const CrowdRules& rules, const CrowdArrays& arrays,
                      std::span<const std::uint32_t> touching, ContactBlock* blocks,
                      ContactFlight* flights, CrowdSubstep& substep);
+
+/// Gives the balls the impulses that last.
+void startFromLasting(PartnerKind partner, const CrowdRules& rules, const CrowdArrays& arrays,
+                      std::span<const ContactBlock> blocks);
 
 enum class Watch : std::uint8_t { No, Changes };
 

@@ -79,7 +79,7 @@ void Crowd::gather(const CrowdInput& in, const Balls& balls, ThreadPool& pool) {
   makeRoomFor(placeOf_, balls.size());
   makeRoomFor(place_, count + idle);
   makeRoomFor(momentum_, count + idle);
-  makeRoomFor(flown_, count + idle);
+  makeRoomFor(gained_, count + idle);
   pool.forRanges(count, kLeastBalls, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t k = begin; k < end; ++k) {
       const std::uint32_t i = island_[k];
@@ -94,7 +94,7 @@ void Crowd::gather(const CrowdInput& in, const Balls& balls, ThreadPool& pool) {
   for (std::size_t k = 0; k < idle; ++k) {
     place_[count + k] = {static_cast<double>(k) * kFarApart, 0, 0, 1};
     momentum_[count + k] = {.inverseMass = 1};
-    flown_[count + k] = {};
+    gained_[count + k] = {};
   }
 
   const std::span<const BallPair> pairs = in.pairs;
@@ -146,7 +146,7 @@ void Crowd::planBlocks(std::size_t threads) {
 CrowdArrays Crowd::arraysOf(std::size_t thread) {
   return {place_.data(),
           momentum_.data(),
-          flown_.data(),
+          gained_.data(),
           island_.data(),
           batches_.pairs().data(),
           lasting_.data(),
@@ -174,16 +174,16 @@ void Crowd::fly(const CrowdInput& in, double start, IndexRange range) {
     for (std::size_t k = 0; k < arrays.count; ++k) {
       Place& place = place_[first + k];
       Momentum& momentum = momentum_[first + k];
-      Flown& flown = flown_[first + k];
+      Gained& gained = gained_[first + k];
       if (in.isLeaning[island_[first + k]]) {
         place.x += momentum.vx * rules_.h;
         place.y += momentum.vy * rules_.h;
         place.z += momentum.vz * rules_.h;
-        flown = {.vx = momentum.vx, .vy = momentum.vy, .vz = momentum.vz};
+        gained = {};
         continue;
       }
       const double vx = arrays.vx[k], vy = arrays.vy[k], vz = arrays.vz[k];
-      flown = {vx, vy, vz, 0, vx - momentum.vx, vy - momentum.vy, vz - momentum.vz, 0};
+      gained = {vx - momentum.vx, vy - momentum.vy, vz - momentum.vz, 0};
       place = {arrays.x[k], arrays.y[k], arrays.z[k], place.radius};
       momentum.vx = vx;
       momentum.vy = vy;
@@ -215,10 +215,12 @@ bool Crowd::takesPart(std::size_t thread, Sharing sharing, const ContactBatch& b
   return false;
 }
 
-// First what touches, where nothing moves yet, into the blocks that the thread fills then.
+// Nothing moves yet, so each thread goes through all that is its own.
 void Crowd::prepare(std::size_t thread, Barrier& barrier) {
   const CrowdArrays arrays = arraysOf(thread);
   const auto batches = batches_.batches();
+  Found& found = found_[thread];
+  found = {};
   for (const Group& group : groups_) {
     for (std::size_t n = group.first; n < group.last; ++n) {
       if (!takesPart(thread, group.sharing, batches[n])) continue;
@@ -226,22 +228,18 @@ void Crowd::prepare(std::size_t thread, Barrier& barrier) {
       const IndexRange range = group.sharing == Sharing::Batch
                                    ? partOf(last - first, kContactLanes, thread, threads_)
                                    : IndexRange{0, last - first};
+      std::uint32_t* const touching = touching_.data() + first + range.begin;
+      const std::size_t count =
+          findTouching(partner, rules_, arrays, first + static_cast<std::uint32_t>(range.begin),
+                       first + static_cast<std::uint32_t>(range.end), touching);
       Part& part = parts_[n * threads_ + thread];
-      part.first = firstBlock_[n] + range.begin / kContactLanes;
-      part.count = findTouching(
-          partner, rules_, arrays, first + static_cast<std::uint32_t>(range.begin),
-          first + static_cast<std::uint32_t>(range.end), touching_.data() + first + range.begin);
+      part = {firstBlock_[n] + range.begin / kContactLanes,
+              (count + kContactLanes - 1) / kContactLanes};
+      prepareContacts(partner, rules_, arrays, {touching, count}, blocks_.data() + part.first,
+                      flights_.data() + part.first, found.substep);
     }
   }
-  Found& found = found_[thread];
-  found = {};
-  forEachPart(thread, barrier, [&](std::size_t n, PartnerKind partner, Part& part) {
-    const std::size_t from = batches[n].first + (part.first - firstBlock_[n]) * kContactLanes;
-    const auto touching = std::span(touching_).subspan(from, part.count);
-    prepareContacts(partner, rules_, arrays, touching, blocks_.data() + part.first,
-                    flights_.data() + part.first, found.substep);
-    part.count = (part.count + kContactLanes - 1) / kContactLanes;  // blocks, from now on
-  });
+  barrier.wait();
 }
 
 CrowdSubstep Crowd::substepOfAll() const {
@@ -255,6 +253,9 @@ CrowdSubstep Crowd::substepOfAll() const {
 
 void Crowd::solve(const Settings& settings, std::size_t thread, Barrier& barrier) {
   const CrowdArrays arrays = arraysOf(thread);
+  forEachPart(thread, barrier, [&](std::size_t, PartnerKind partner, const Part& part) {
+    startFromLasting(partner, rules_, arrays, blocksOf(part));
+  });
   const CrowdSubstep substep = substepOfAll();
   const bool rests = !substep.anyImpact;
   const Watch watch = rests ? Watch::Changes : Watch::No;

@@ -109,7 +109,7 @@ class Crowd {
   // By ball of the island, then the idle ones.
   std::vector<Place> place_;
   std::vector<Momentum> momentum_;
-  std::vector<Flown> flown_;
+  std::vector<Gained> gained_;
   // By pair in the order of the batches, then the idle ones.
   ContactBatches batches_;
   std::vector<LastingImpulse> lasting_;
