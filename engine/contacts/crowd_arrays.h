@@ -11,7 +11,7 @@
 
 namespace wells {
 
-inline constexpr std::size_t kContactLanes = 4;
+inline constexpr std::size_t kContactLanes = 8;
 
 /// Where a ball is.
 struct alignas(32) Place {
@@ -51,7 +51,7 @@ struct alignas(64) ContactBlock {
   std::uint32_t pair[kContactLanes];  // in the lists of pairs and lasting impulses
   std::uint32_t count = 0;            // of lanes in use, the first ones
   // Normal from a to b; unit.
-  alignas(32) double nx[kContactLanes];
+  alignas(64) double nx[kContactLanes];
   double ny[kContactLanes];
   double nz[kContactLanes];
   double mass[kContactLanes];    // kg, along the normal

@@ -12,10 +12,6 @@
 // After foreach_target.h:
 #include <hwy/highway.h>
 
-// Where registers hold kContactLanes doubles, records are transposed in them.
-#undef WELLS_FOUR_LANES
-#define WELLS_FOUR_LANES (HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3)
-
 HWY_BEFORE_NAMESPACE();
 namespace wells::HWY_NAMESPACE {
 namespace {
@@ -26,7 +22,10 @@ using D = hn::CappedTag<double, kContactLanes>;
 using V = hn::Vec<D>;
 using M = hn::Mask<D>;
 constexpr D kTag;
-constexpr std::size_t kLanes = hn::MaxLanes(kTag);
+constexpr std::size_t kLanes = hn::MaxLanes(kTag);  // 1, 4 or 8
+// Records of four doubles are transposed four at a time.
+constexpr hn::CappedTag<double, 4> kHalf;
+using H = hn::Vec<decltype(kHalf)>;
 
 struct V3 {
   V x, y, z;
@@ -34,6 +33,10 @@ struct V3 {
 
 struct V4 {
   V x, y, z, w;
+};
+
+struct H4 {
+  H x, y, z, w;
 };
 
 HWY_INLINE V set(double value) {
@@ -67,41 +70,58 @@ HWY_INLINE V3 xyz(const V4& a) {
   return {a.x, a.y, a.z};
 }
 
-/// Four doubles from each of the records that `index` names, a lane each.
+/// Four doubles from each of the records, at(lane), a lane each.
 template <class At>
 HWY_INLINE V4 loadQuads(At at) {
-#if WELLS_FOUR_LANES
-  const V a = load(at(0)), b = load(at(1)), c = load(at(2)), d = load(at(3));
-  const V ab02 = hn::InterleaveLower(kTag, a, b), ab13 = hn::InterleaveUpper(kTag, a, b);
-  const V cd02 = hn::InterleaveLower(kTag, c, d), cd13 = hn::InterleaveUpper(kTag, c, d);
-  return {hn::ConcatLowerLower(kTag, cd02, ab02), hn::ConcatLowerLower(kTag, cd13, ab13),
-          hn::ConcatUpperUpper(kTag, cd02, ab02), hn::ConcatUpperUpper(kTag, cd13, ab13)};
+#if HWY_TARGET == HWY_SCALAR
+  const double* const from = at(0);
+  return {load(from), load(from + 1), load(from + 2), load(from + 3)};
 #else
-  HWY_ALIGN double part[4][kLanes];
-  for (std::size_t lane = 0; lane < kLanes; ++lane)
-    for (std::size_t k = 0; k < 4; ++k) part[k][lane] = at(lane)[k];
-  return {load(part[0]), load(part[1]), load(part[2]), load(part[3])};
+  const auto four = [&](std::size_t lane) HWY_ATTR {
+    const H a = hn::Load(kHalf, at(lane)), b = hn::Load(kHalf, at(lane + 1));
+    const H c = hn::Load(kHalf, at(lane + 2)), d = hn::Load(kHalf, at(lane + 3));
+    const H ab02 = hn::InterleaveLower(kHalf, a, b), ab13 = hn::InterleaveUpper(kHalf, a, b);
+    const H cd02 = hn::InterleaveLower(kHalf, c, d), cd13 = hn::InterleaveUpper(kHalf, c, d);
+    return H4{hn::ConcatLowerLower(kHalf, cd02, ab02), hn::ConcatLowerLower(kHalf, cd13, ab13),
+              hn::ConcatUpperUpper(kHalf, cd02, ab02), hn::ConcatUpperUpper(kHalf, cd13, ab13)};
+  };
+#if HWY_TARGET == HWY_AVX3
+  const H4 low = four(0), high = four(4);
+  return {hn::Combine(kTag, high.x, low.x), hn::Combine(kTag, high.y, low.y),
+          hn::Combine(kTag, high.z, low.z), hn::Combine(kTag, high.w, low.w)};
+#else
+  const H4 all = four(0);
+  return {all.x, all.y, all.z, all.w};
+#endif
 #endif
 }
 
 template <class At>
 HWY_INLINE void storeQuads(const V4& v, At at) {
-#if WELLS_FOUR_LANES
-  const V ab01 = hn::InterleaveLower(kTag, v.x, v.y), cd01 = hn::InterleaveLower(kTag, v.z, v.w);
-  const V ab23 = hn::InterleaveUpper(kTag, v.x, v.y), cd23 = hn::InterleaveUpper(kTag, v.z, v.w);
-  // Of the interleaved, the lower halves are of lanes 0 and 1, the upper ones of 2 and 3.
-  hn::Store(hn::ConcatLowerLower(kTag, cd01, ab01), kTag, at(0));
-  hn::Store(hn::ConcatLowerLower(kTag, cd23, ab23), kTag, at(1));
-  hn::Store(hn::ConcatUpperUpper(kTag, cd01, ab01), kTag, at(2));
-  hn::Store(hn::ConcatUpperUpper(kTag, cd23, ab23), kTag, at(3));
+#if HWY_TARGET == HWY_SCALAR
+  double* const to = at(0);
+  hn::Store(v.x, kTag, to);
+  hn::Store(v.y, kTag, to + 1);
+  hn::Store(v.z, kTag, to + 2);
+  hn::Store(v.w, kTag, to + 3);
 #else
-  HWY_ALIGN double part[4][kLanes];
-  hn::Store(v.x, kTag, part[0]);
-  hn::Store(v.y, kTag, part[1]);
-  hn::Store(v.z, kTag, part[2]);
-  hn::Store(v.w, kTag, part[3]);
-  for (std::size_t lane = 0; lane < kLanes; ++lane)
-    for (std::size_t k = 0; k < 4; ++k) at(lane)[k] = part[k][lane];
+  const auto four = [&](H x, H y, H z, H w, std::size_t lane) HWY_ATTR {
+    const H ab01 = hn::InterleaveLower(kHalf, x, y), cd01 = hn::InterleaveLower(kHalf, z, w);
+    const H ab23 = hn::InterleaveUpper(kHalf, x, y), cd23 = hn::InterleaveUpper(kHalf, z, w);
+    // Of the interleaved, the lower halves are of lanes 0 and 1, the upper ones of 2 and 3.
+    hn::Store(hn::ConcatLowerLower(kHalf, cd01, ab01), kHalf, at(lane));
+    hn::Store(hn::ConcatLowerLower(kHalf, cd23, ab23), kHalf, at(lane + 1));
+    hn::Store(hn::ConcatUpperUpper(kHalf, cd01, ab01), kHalf, at(lane + 2));
+    hn::Store(hn::ConcatUpperUpper(kHalf, cd23, ab23), kHalf, at(lane + 3));
+  };
+#if HWY_TARGET == HWY_AVX3
+  const auto low = [](V x) HWY_ATTR { return hn::LowerHalf(kHalf, x); };
+  const auto high = [](V x) HWY_ATTR { return hn::UpperHalf(kHalf, x); };
+  four(low(v.x), low(v.y), low(v.z), low(v.w), 0);
+  four(high(v.x), high(v.y), high(v.z), high(v.w), 4);
+#else
+  four(v.x, v.y, v.z, v.w, 0);
+#endif
 #endif
 }
 
