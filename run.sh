@@ -13,6 +13,9 @@ usage: ./run.sh [demo] [OPTION...]         two peers on this machine share a wor
        ./run.sh bench [OPTION...]          one scene, measured; ./run.sh bench --help
        ./run.sh bench accuracy [OPTION...] error against CPU time, as tables and plots
        ./run.sh bench stress [OPTION...]   worlds that break engines, beside other engines
+       ./run.sh bench speed [OPTION...]    many scenes beside stock Bullet; where time goes
+       ./run.sh bench features [OPTION...] what a feature costs that is not used
+       ./run.sh bench micro [OPTION...]    kernels of a step; options of Google Benchmark
        ./run.sh set KEY=VALUE...           changes a live session; --list, --help
        ./run.sh spy --text [OPTION...]     a live table of a session, in this terminal
        ./run.sh spy [OPTION...]            lcm-spy, with our message types
@@ -75,7 +78,14 @@ case ${1-} in
     ;;
   -*) demo "$@" ;;
   peer | bench)
-    if [[ ${2-} == accuracy ]]; then build_program --with plots; else build_program; fi
+    case ${2-} in
+      micro)
+        "$root/app/build.sh" gravity-wells-micro
+        exec "$root/build/release/gravity-wells-micro" "${@:3}"
+        ;;
+      accuracy | curve | speed) build_program --with plots ;;
+      *) build_program ;;
+    esac
     exec "$program" "$@"
     ;;
   set | peers)

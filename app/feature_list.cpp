@@ -149,7 +149,8 @@ FeatureRun pictures(Presence presence, const fs::path& folder) {
 
 FeatureRun session(Presence presence, const fs::path&) {
   if (presence == Presence::Absent) return engineOn(gas());
-  return sessionRun(gas(), presence == Presence::Used ? 2 : 1);
+  if (presence == Presence::Unused) return recordedRun(gas(), Recording::None);
+  return sessionRun(gas(), 2);
 }
 
 constexpr std::string_view kHeap = "T1, 1,000, heaped";
@@ -169,7 +170,7 @@ constexpr Feature kFeatures[] = {
     {"ghosts", kGas, "roles, all owned", ghosts, "every second ball"},
     {"books and measures", kHeap, "a recorder that nobody asks", recording, "in each step"},
     {"view", kHeap, "a context, no frame due", pictures, "30 frames a simulated second"},
-    {"session", kGas, "of one peer", session, "of two peers"},
+    {"session", kGas, "a peer that is alone", session, "of two peers"},
 };
 
 }  // namespace

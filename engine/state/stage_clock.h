@@ -19,6 +19,7 @@ enum class Stage : std::uint8_t {
   Islands,     // what hangs together, and which method moves it
   Exact,       // impacts at their own times, rolling and sliding of single balls
   Flight,      // of balls that touch nothing, and of the others within substeps
+  Batches,     // crowds: small records of balls, batches of contacts that share none
   Prepare,     // contacts of substeps: gaps, normals, masses, impulses to start from
   Solve,       // impulses of substeps
   Push,        // positions: shifts by forces of contact, push-out of overlap
@@ -26,8 +27,8 @@ enum class Stage : std::uint8_t {
   Other
 };
 
-inline constexpr std::array<std::string_view, 10> kStageNames = {
-    "sleep",   "candidates", "islands", "exact", "flight",
+inline constexpr std::array<std::string_view, 11> kStageNames = {
+    "sleep",   "candidates", "islands", "exact", "flight", "batches",
     "prepare", "solve",      "push",    "books", "other"};
 
 constexpr std::string_view name(Stage stage) {

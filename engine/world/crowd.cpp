@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "contacts/substep_rules.h"
 
@@ -34,7 +35,7 @@ class FlightBlock {
 }  // namespace
 
 void Crowd::step(const CrowdInput& in, Balls& balls, ThreadPool& pool, Books* books) {
-  const StageScope stage(clock_, Stage::Prepare);
+  const StageScope stage(clock_, Stage::Batches);
   const int substeps = in.settings.substeps;
   const double h = in.settings.dt / substeps;
   order_.sort(balls, in.island);
@@ -45,6 +46,7 @@ void Crowd::step(const CrowdInput& in, Balls& balls, ThreadPool& pool, Books* bo
   planBlocks(threads_);
   for (int n = 0; n < substeps; ++n) {
     rules_.substep = static_cast<std::uint32_t>(n + 1);
+    isLastSubstep_ = n + 1 == substeps;
     if (books)
       runBookedSubstep(in, n * h, pool, balls, *books);
     else
@@ -270,6 +272,30 @@ void Crowd::pushOut(std::size_t thread, Barrier& barrier) {
   forEachPart(thread, barrier, [&](std::size_t, PartnerKind partner, const Part& part) {
     pushOverlapsOut(partner, rules_, arrays, blocksOf(part));
   });
+  if (thread == 0 && isLastSubstep_) keepInArena();
+}
+
+// Whoever was pushed into ground or wall by others, or would leave it by itself later: at the end
+// of a step the arena is not entered.
+void Crowd::keepInArena() {
+  for (const ContactBatch& batch : batches_.batches()) {
+    if (batch.partner == PartnerKind::Ball) continue;
+    for (const IndexPair& pair : batches_.pairs().subspan(batch.first, batch.last - batch.first)) {
+      Place& at = place_[pair.a];
+      const double left = kLeftOverlap * at.radius;
+      if (batch.partner == PartnerKind::Ground) {
+        at.y = std::max(at.y, rules_.arena.center.y() + at.radius - left);
+        continue;
+      }
+      const double x = at.x - rules_.arena.center.x();
+      const double z = at.z - rules_.arena.center.z();
+      const double fromAxis = std::sqrt(x * x + z * z);
+      const double most = rules_.arena.radius - at.radius + left;
+      if (fromAxis <= most || most < 0) continue;
+      at.x = rules_.arena.center.x() + x * (most / fromAxis);
+      at.z = rules_.arena.center.z() + z * (most / fromAxis);
+    }
+  }
 }
 
 void Crowd::scatter(Balls& balls, IndexRange range) const {

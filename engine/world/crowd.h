@@ -71,6 +71,7 @@ class Crowd {
   void solve(const Settings& settings, std::size_t thread, Barrier& barrier);
   void shift(std::size_t thread, Barrier& barrier);
   void pushOut(std::size_t thread, Barrier& barrier);
+  void keepInArena();
   /// Calls action(partner, part) for each part that is the thread's, batch after batch.
   template <class Action>
   void forEachPart(std::size_t thread, Barrier& barrier, Action action);
@@ -99,6 +100,7 @@ class Crowd {
   SpatialOrder order_;
   std::span<const std::uint32_t> island_;  // in that order
   CrowdRules rules_;
+  bool isLastSubstep_ = false;
   std::size_t threads_ = 1;
   std::vector<std::uint32_t> placeOf_;  // by ball of the world, in the island
   // By ball of the island, then the idle ones.

@@ -74,6 +74,70 @@ class Bench(unittest.TestCase):
         alone = self.rows("--balls", 50, "--steps", 5, "--substeps", 4, "--iterations", 8)
         self.assertEqual(rows[-1]["state_hash"], alone[-1]["state_hash"])
 
+    def read(self, file):
+        with open(file, newline="") as lines:
+            return list(csv.DictReader(lines))
+
+    def test_speed_has_a_row_for_each_method_beside_bullet(self):
+        folder = self.csv.parent / "speed"
+        done = run("bench", "speed", "--scenes", "T1-25,T3-10000", "--steps", 5, "--repeats", 2,
+                   "--threads", "1,2", "--out", folder)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        rows = self.read(folder / "speed.csv")
+        methods = ["stock Bullet", "ours", "ours, 2 threads", "ours substep", "ours exact"]
+        self.assertEqual([(row["scene"], row["method"]) for row in rows],
+                         [(scene, method) for scene in ("T1-25", "T3-10000") for method in methods])
+        self.assertEqual({row["escaped"] for row in rows}, {"0"})
+        self.assertEqual(rows[1]["rounds"], "2")
+        self.assertEqual(rows[0]["times_bullet"], "1")
+        self.assertGreater(float(rows[6]["bytes_a_ball"]), 88, "less than a ball's state")
+        # A row is what the same settings give alone, and physics is the same for any threads.
+        alone = self.rows("--balls", 25, "--steps", 5)
+        self.assertEqual(rows[1]["state_hash"], alone[-1]["state_hash"])
+        self.assertEqual(rows[2]["state_hash"], rows[1]["state_hash"])
+        for row in self.read(folder / "stages.csv"):
+            stages = [float(row[key]) for key in row if key.endswith("_ms")
+                      and key not in ("step_ms", "sum_ms")]
+            self.assertAlmostEqual(sum(stages), float(row["sum_ms"]), delta=1e-5 * sum(stages))
+            self.assertLessEqual(float(row["sum_ms"]), 1.00001 * float(row["step_ms"]))
+        waking = self.read(folder / "waking.csv")
+        self.assertEqual([row["thrown"] for row in waking], ["0", "1", "10", "100", "1000"])
+        self.assertEqual(float(waking[0]["awake_mean"]), 0)
+        self.assertGreaterEqual(float(waking[-1]["awake_mean"]), 1000)
+        self.assertEqual((folder / "speed.png").read_bytes()[:4], b"\x89PNG")
+        self.assertEqual(sorted(path.name for path in folder.iterdir()),
+                         ["speed.csv", "speed.gp", "speed.png", "speed.txt", "stages.csv", "waking.csv"])
+
+    def test_heaps_choose_settings_that_keep_the_bounds_on_overlap(self):
+        folder = self.csv.parent / "speed"
+        done = run("bench", "speed", "--scenes", "T1-10000", "--repeats", 1, "--threads", 1,
+                   "--steps", 5, "--out", folder)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        rows = self.read(folder / "speed.csv")
+        chosen = [row for row in rows if row["method"][:5] == "ours " and row["method"][5].isdigit()]
+        self.assertGreaterEqual(len(chosen), 1)
+        for row in chosen:
+            self.assertLessEqual(float(row["ball_overlap_m"]), 0.086)
+            self.assertLessEqual(max(float(row["ground_overlap_m"]), float(row["wall_overlap_m"])), 0.012)
+            self.assertLessEqual(float(row["contacts_J"]), 0)
+
+    def test_features_are_compared_in_turn(self):
+        folder = self.csv.parent / "features"
+        done = run("bench", "features", "--repeats", 1, "--steps", 2, "--out", folder)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        rows = self.read(folder / "features.csv")
+        self.assertEqual([row["feature"] for row in rows],
+                         ["friction", "rolling resistance", "wells", "drag", "gravity", "unequal balls",
+                          "sleep", "ghosts", "books and measures", "view", "session"])
+        for row in rows:
+            self.assertEqual(row["verdict"], "pass" if float(row["unused_to_absent"]) <= 1.02 else "fail")
+        self.assertEqual(sorted(path.name for path in folder.iterdir()), ["features.csv", "features.txt"])
+
+    def test_runs_are_repeated_with_the_same_bits(self):
+        once, again = self.rows("--balls", 25, "--steps", 20), self.rows("--balls", 25, "--steps", 20,
+                                                                         "--runs", 3)
+        self.assertEqual(once[-1]["state_hash"], again[-1]["state_hash"])
+
     def test_contacts_solved_directly_are_counted_in_each_substep(self):
         row = self.rows("--scene", "pile-stands", "--steps", 20)[-1]
         contacts, substeps = 6, 4
@@ -154,6 +218,11 @@ class Bench(unittest.TestCase):
                 (("--integrator", "magic"), "allowed: symplectic-euler, leapfrog, heun, rk4, pefrl"),
                 (("--from", "rest"), "--from rest: no such moment; allowed: start, settled, asleep"),
                 (("curve", "--substeps", "4,0"), "--substeps 4,0: "),
+                (("--runs", 2, "--from", "asleep"), "--runs 2: runs from asleep cannot be repeated"),
+                (("speed", "--scenes", "T1-26"), "--scenes T1-26: no such name; did you mean T1-25?"),
+                (("speed", "--threads", "1,0"), "--threads 1,0: "),
+                (("speed", "--minutes", "0"), "--minutes 0: "),
+                (("features", "--features", "spin"), "--features spin: no such name;"),
                 (("curve", "--scene", "T9"), "--scene T9: scene 'T9' is unknown"),
                 (("--steps", "many"), "--steps many")):
             with self.subTest(arguments=arguments):
