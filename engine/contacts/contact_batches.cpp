@@ -74,7 +74,6 @@ void ContactBatches::orderPairs(std::span<const BallPair> pairs,
     first = std::min(first, n);
   }
   order_.clear();
-  order_.reserve(pairs.size());
   for (std::size_t list = 0; list < firstOf_.size(); ++list)
     for (std::uint32_t n = firstOf_[list]; n < pairs.size() && listOf(pairs[n]) == list; ++n)
       order_.push_back(n);

@@ -35,6 +35,7 @@ void SpatialOrder::sort(const Balls& balls, std::span<const std::uint32_t> ids) 
 
   column_.resize(ids.size());
   sorted_.resize(ids.size());
+  next_.reserve(static_cast<std::size_t>((most + 1) * (most + 1)) + 1);  // the most there can be
   next_.assign(std::size_t{columns} * rows + 1, 0);
   for (std::size_t n = 0; n < ids.size(); ++n) {
     const Vec3& at = balls.position[ids[n]];
