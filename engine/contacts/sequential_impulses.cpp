@@ -36,9 +36,9 @@ template <>
 constexpr double kDeepest<ArenaPartner> = kDeepestInArena;
 
 // An island moves, and does not rest or nearly so, where the centres of two of its balls pass each
-// other faster than this many times the speed which forces gave one of them within the substep. Of
-// what rests it is at most twice.
-constexpr double kMoving = 3;
+// other faster than this many times the speed which forces gave one of them within the substep: of
+// what rests, it is at most that.
+constexpr double kMoving = 2;
 
 /// The normal half-way through the substep: there a force that lasted acted on the mean. With it,
 /// what rolls over another ball keeps its energy to second order, and two balls their angular
