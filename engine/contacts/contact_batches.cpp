@@ -47,7 +47,6 @@ void ContactBatches::orderPairs(std::span<const BallPair> pairs,
     (isBall(b) ? firstOf_[place[a]].ball : firstOf_[place[a]].arena) = n;
   }
   ordered_.clear();
-  ordered_.reserve(count);
   for (std::uint32_t k = 0; k < ballCount; ++k) {
     const auto isMine = [&](std::uint32_t n) { return n < count && pairs[n].a == balls[k]; };
     for (std::uint32_t n = firstOf_[k].ball; isMine(n) && isBall(pairs[n].b); ++n)

@@ -9,9 +9,14 @@ namespace wells {
 // Angular velocity times radius that a tangent impulse of 1 N s gives a ball of 1 kg: r^2 m / I.
 inline constexpr double kSpinFactor = 1 / kInertiaFactor;
 
-// across() is the vector (m) in whose direction the normal lies, acrossRate() how it changes (m/s).
+// isFurther() tells whether the gap is certainly larger than so many m; across() is the vector (m)
+// in whose direction the normal lies, acrossRate() how it changes (m/s).
 struct BallPartner {
   static void touch(const Arena&, const Balls& balls, Contact& c) { touchBalls(balls, c); }
+  static bool isFurther(const Arena&, const Balls& balls, const Contact& c, double gap) {
+    const double distance = balls.radius[c.a] + balls.radius[c.b] + gap;
+    return squaredLength(balls.position[c.b] - balls.position[c.a]) > distance * distance;
+  }
   static double inverseMass(const Balls& balls, const Contact& c) { return 1 / balls.mass[c.b]; }
   static double radius(const Balls& balls, const Contact& c) { return balls.radius[c.b]; }
   static Vec3 velocity(const Vec3* velocities, const Contact& c) { return velocities[c.b]; }
@@ -45,6 +50,13 @@ struct BallPartner {
 struct ArenaPartner {
   static void touch(const Arena& arena, const Balls& balls, Contact& c) {
     touchArena(arena, balls, c);
+  }
+  static bool isFurther(const Arena& arena, const Balls& balls, const Contact& c, double gap) {
+    const Vec3 d = balls.position[c.a] - arena.center;
+    const double reach = balls.radius[c.a] + gap;  // of the centre
+    if (c.b == kGround) return d.y() > reach;
+    const double within = arena.radius - reach;
+    return within > 0 && d.x() * d.x() + d.z() * d.z() < within * within;
   }
   static double inverseMass(const Balls&, const Contact&) { return 0; }
   static double radius(const Balls& balls, const Contact& c) { return balls.radius[c.a]; }

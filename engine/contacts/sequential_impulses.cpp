@@ -15,6 +15,15 @@ double sizeOf(const Arena& arena, const Balls& balls, const Contact& c) {
   return length(balls.position[c.a]) + length(arena.center) + arena.radius;
 }
 
+double sumOfSizes(const Vec3& v) {
+  return std::abs(v.x()) + std::abs(v.y()) + std::abs(v.z());
+}
+
+/// No less, without a root.
+double sizeBound(const Arena& arena, const Balls& balls, const Contact& c) {
+  return sumOfSizes(balls.position[c.a]) + sumOfSizes(arena.center) + arena.radius;
+}
+
 template <class Partner>
 constexpr double kShareOut = kPushOut;
 template <>
@@ -27,9 +36,9 @@ template <>
 constexpr double kDeepest<ArenaPartner> = kDeepestInArena;
 
 // An island moves, and does not rest or nearly so, where the centres of two of its balls pass each
-// other faster than this many times the speed which forces gave one of them within the substep. Of
-// what rests it is at most twice.
-constexpr double kMoving = 3;
+// other faster than this many times the speed which forces gave one of them within the substep: of
+// what rests, it is at most that.
+constexpr double kMoving = 2;
 
 /// The normal half-way through the substep: there a force that lasted acted on the mean. With it,
 /// what rolls over another ball keeps its energy to second order, and two balls their angular
@@ -61,22 +70,38 @@ Pulled pulledSpeeds(const Vec3* velocityBefore, const Balls& balls, const Contac
           Partner::velocity(velocity, c) - Partner::velocity(velocityBefore, c)};
 }
 
+/// What does not touch, or bounced, says nothing about the next substep's impulses.
+void forgetImpulses(Contact& c) {
+  c.normalImpulse = 0;
+  c.tangentImpulse.setZero();
+  c.rollingImpulse.setZero();
+}
+
+void letGo(Contact& c) {
+  c.acts = false;
+  c.impact = false;
+  forgetImpulses(c);
+}
+
 /// Geometry, and whether the contact acts: where it touches; where it rested in the substep before,
 /// for two balls that roll on each other part a little in every flight; and where it is so close
 /// and slow that forces close it within the substep.
 template <class Partner>
 void findTouch(const Arena& arena, double h, const Vec3* velocityBefore, const Balls& balls,
                Contact& c) {
-  Partner::touch(arena, balls, c);
+  const double near = kNear * balls.radius[c.a];
   c.isSmall = false;
   c.isSolved = false;
+  // Most are.
+  if (Partner::isFurther(arena, balls, c, near + kClosedGap * sizeBound(arena, balls, c)))
+    return letGo(c);
+  Partner::touch(arena, balls, c);
   const Vec3* const velocity = balls.velocity.data();
   const Vec3 passing = velocity[c.a] - Partner::velocity(velocity, c);
   const double closing = dot(passing, c.normal);
   const Pulled pulls = pulledSpeeds<Partner>(velocityBefore, balls, c);
   const double pulled = pulls.along(c.normal);
   c.isSlow = closing <= kRestFactor * pulled;
-  const double near = kNear * balls.radius[c.a];
   const double fall = pulled * h / 2;
   c.isPulled = pulled > 0;
   c.isCoarse = fall > near;
@@ -84,6 +109,7 @@ void findTouch(const Arena& arena, double h, const Vec3* velocityBefore, const B
   c.restedImpulse = c.impact || c.isCoarse || c.gap > near ? 0 : c.normalImpulse;
   c.acts = c.gap <= kClosedGap * sizeOf(arena, balls, c) || c.restedImpulse > 0 ||
            (!c.isCoarse && c.isSlow && c.gap <= fall);
+  if (!c.acts) letGo(c);
 }
 
 /// m/s, by which the contact shall open; < 0: may close. From the closing speeds after flight.
@@ -126,12 +152,7 @@ void prepare(const Settings& settings, const Arena& arena, double h, const Vec3*
     c.inverseMassA = 1 / balls.mass[c.a];
     c.inverseMassB = Partner::inverseMass(balls, c);
   }
-  // The impulse of an impact says nothing about the next substep's.
-  if (!c.acts || c.impact || wasImpact) {
-    c.normalImpulse = 0;
-    c.tangentImpulse.setZero();
-    c.rollingImpulse.setZero();
-  }
+  if (!c.acts || c.impact || wasImpact) forgetImpulses(c);
 }
 
 template <class Partner>
@@ -163,47 +184,6 @@ void warmStart(Balls& balls, Contact& c, const Ledger& ledger) {
   if (c.rollingImpulse.isZero(0)) return;
   c.rollingImpulse -= dot(c.rollingImpulse, c.normal) * c.normal;
   brake<Partner>(balls, c, c.rollingImpulse, ledger);
-}
-
-/// Returns the change of relative velocity, m/s.
-template <class Partner>
-double solveNormal(Balls& balls, Contact& c, const Ledger& ledger) {
-  const double closing = closingSpeed<Partner>(balls.velocity.data(), c);
-  const double total = std::max(0.0, c.normalImpulse + normalMass(c) * (closing + c.bounceSpeed));
-  const double change = total - c.normalImpulse;
-  c.normalImpulse = total;
-  pushApart<Partner>(balls, c, change, ledger);
-  return std::abs(change) / normalMass(c);
-}
-
-Vec3 shortenedTo(double limit, const Vec3& v) {
-  const double size = length(v);
-  return size > limit ? Vec3(limit / size * v) : v;
-}
-
-/// Likewise.
-template <class Partner>
-double solveTangent(double friction, Balls& balls, Contact& c, const Ledger& ledger) {
-  const Vec3 total =
-      shortenedTo(friction * c.normalImpulse,
-                  c.tangentImpulse - tangentMass(c) * slipVelocity<Partner>(balls, c));
-  const Vec3 change = total - c.tangentImpulse;
-  c.tangentImpulse = total;
-  rub<Partner>(balls, c, change, ledger);
-  return length(change) / tangentMass(c);
-}
-
-// Not within an impact: what the normal force of an instant does to the rolling is not modelled.
-template <class Partner>
-double solveRolling(double resistance, Balls& balls, Contact& c, const Ledger& ledger) {
-  if (c.impact) return 0;
-  const Vec3 total = shortenedTo(resistance * c.normalImpulse,
-                                 c.rollingImpulse - rollingVelocity<Partner>(balls, c) /
-                                                        inverseTurningInertia<Partner>(balls, c));
-  const Vec3 change = total - c.rollingImpulse;
-  c.rollingImpulse = total;
-  brake<Partner>(balls, c, change, ledger);
-  return length(change) * inverseTurningInertia<Partner>(balls, c) * balls.radius[c.a];
 }
 
 template <class Partner>
@@ -253,27 +233,13 @@ bool solveDirectly(const Settings& settings, std::span<Contact* const> island, B
 }
 
 void solveByPasses(const Settings& settings, std::span<Contact* const> island, Balls& balls,
-                   const Ledger& ledger) {
+                   IslandPasses& passes, const Ledger& ledger) {
   double built = 0;
   for (const Contact* c : island) built = std::max(built, c->acts ? c->builtUp : 0);
   const int most = anyImpact(island) || anyMoves(island)
                        ? settings.iterations
                        : std::max(settings.iterations, kPassesAtRest);
-  double changed = std::numeric_limits<double>::infinity();
-  for (int pass = 0; pass < most && changed > kSolved * built; ++pass) {
-    changed = 0;
-    for (Contact* c : island) {
-      if (!c->acts) continue;
-      withPartner(*c, [&]<class Partner>() {
-        changed = std::max(changed, solveNormal<Partner>(balls, *c, ledger));
-        if (settings.friction > 0)
-          changed = std::max(changed, solveTangent<Partner>(settings.friction, balls, *c, ledger));
-        if (settings.rollingResistance > 0)
-          changed = std::max(changed,
-                             solveRolling<Partner>(settings.rollingResistance, balls, *c, ledger));
-      });
-    }
-  }
+  passes.solve(settings, island, most, kSolved * built, balls, ledger);
   for (Contact* c : island) {
     c->share = shareAlone(*c, balls);
     c->isSolved = island.size() == 1;
@@ -294,7 +260,7 @@ ResolvedCounts solveIslands(const Settings& settings, Balls& balls, ContactWorks
       }
       ++counts.unsolved;
     }
-    solveByPasses(settings, island, balls, ledger);
+    solveByPasses(settings, island, balls, workspace.passes, ledger);
   }
   return counts;
 }
@@ -316,11 +282,12 @@ void pushOut(const Arena& arena, double h, Balls& balls, Contact& c) {
   Partner::shift(balls, c, shift);
 }
 
-/// Calls action.template operator()<Partner>(contact) for all contacts, the arena's last.
+/// Calls action.template operator()<Partner>(contact) for all contacts that touch or touched when
+/// islands were found, of each island the arena's last.
 template <class Action>
-void forEach(const ContactLists& contacts, Action action) {
-  for (Contact& c : contacts.balls) action.template operator()<BallPartner>(c);
-  for (Contact& c : contacts.arena) action.template operator()<ArenaPartner>(c);
+void forEach(const TouchingIslands& islands, Action action) {
+  for (Contact* c : islands.contacts())
+    withPartner(*c, [&]<class Partner>() { action.template operator()<Partner>(*c); });
 }
 
 }  // namespace
@@ -336,16 +303,16 @@ ResolvedCounts resolveContacts(const Settings& settings, const Arena& arena, dou
     return placementOf(ledger, *booking->field, booking->end, booking->touching, balls);
   };
   StageScope stage(workspace.clock, Stage::Prepare);
-  forEach(contacts, [&]<class Partner>(Contact& c) {
-    findTouch<Partner>(arena, h, velocityBefore, balls, c);
-  });
+  for (Contact& c : contacts.balls) findTouch<BallPartner>(arena, h, velocityBefore, balls, c);
+  for (Contact& c : contacts.arena) findTouch<ArenaPartner>(arena, h, velocityBefore, balls, c);
   stage.next(Stage::Islands);
   findSmallIslands(contacts, balls.size(), workspace.islands);
   stage.next(Stage::Prepare);
-  forEach(contacts, [&]<class Partner>(Contact& c) {
+  forEach(workspace.islands, [&]<class Partner>(Contact& c) {
     prepare<Partner>(settings, arena, h, velocityBefore, balls, c);
   });
-  forEach(contacts, [&]<class Partner>(Contact& c) { warmStart<Partner>(balls, c, ledger); });
+  forEach(workspace.islands,
+          [&]<class Partner>(Contact& c) { warmStart<Partner>(balls, c, ledger); });
   stage.next(Stage::Solve);
   const ResolvedCounts counts = solveIslands(settings, balls, workspace, ledger);
   stage.next(Stage::Books);
@@ -358,11 +325,13 @@ ResolvedCounts resolveContacts(const Settings& settings, const Arena& arena, dou
       bookArena(ledger, c, c.tangentImpulse - c.normalImpulse * c.normal, balls);
   }
   stage.next(Stage::Push);
-  forEach(contacts, [&]<class Partner>(Contact& c) { shiftByContactForce<Partner>(h, balls, c); });
+  forEach(workspace.islands,
+          [&]<class Partner>(Contact& c) { shiftByContactForce<Partner>(h, balls, c); });
   stage.next(Stage::Books);
   const Placement shifted = booking ? placement() : Placement{};
   stage.next(Stage::Push);
-  forEach(contacts, [&]<class Partner>(Contact& c) { pushOut<Partner>(arena, h, balls, c); });
+  forEach(workspace.islands,
+          [&]<class Partner>(Contact& c) { pushOut<Partner>(arena, h, balls, c); });
   if (!booking) return counts;
   stage.next(Stage::Books);
   const Placement pushed = placement();

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "contacts/direct_solver.h"
+#include "contacts/island_passes.h"
 #include "contacts/ledger.h"
 #include "contacts/touching_islands.h"
 #include "state/settings.h"
@@ -34,6 +35,7 @@ struct SubstepBooks {
 struct ContactWorkspace {
   TouchingIslands islands;
   DirectSolver direct;
+  IslandPasses passes;
   StageClock* clock = nullptr;  // null: nobody asks where the time goes
 };
 

@@ -43,6 +43,8 @@ void SpatialOrder::sort(const Balls& balls, std::span<const std::uint32_t> ids) 
 
   column_.resize(ids.size());
   sorted_.resize(ids.size());
+  const std::size_t mostSides = std::bit_ceil(static_cast<std::size_t>(most) + 1);
+  next_.reserve(mostSides * mostSides + 1);  // once for as many balls
   next_.assign(side * side + 1, 0);
   for (std::size_t n = 0; n < ids.size(); ++n) {
     const Vec3& at = balls.position[ids[n]];

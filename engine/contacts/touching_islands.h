@@ -18,6 +18,9 @@ class TouchingIslands {
 
   std::size_t count() const { return start_.empty() ? 0 : start_.size() - 1; }
 
+  /// Of all islands, one after the other.
+  std::span<Contact* const> contacts() const { return contacts_; }
+
   /// Those between balls first, each in the order of its list. Islands are in order of their first
   /// contact.
   std::span<Contact* const> contacts(std::size_t island) const {

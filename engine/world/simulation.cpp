@@ -348,7 +348,8 @@ class Simulation : public Stepper {
       const double apart = length(start_[b].position - start_[a].position);
       if (apart - touching < -kLateOverlap * touching) ++counts_.latePairs;
     }
-    oldPairs_.assign(pairs.begin(), pairs.end());
+    oldPairs_.resize(pairs.size());
+    std::ranges::copy(pairs, oldPairs_.begin());
     for (const std::uint32_t i : sleep_.awake()) lastStep_[i] = world.step;
   }
 

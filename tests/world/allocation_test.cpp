@@ -27,9 +27,16 @@ void operator delete(void* memory, std::size_t) noexcept {
 namespace wells {
 namespace {
 
+/// Falling asleep takes memory, so next to nobody shall; whether somebody rests is looked for.
+World makeWakefulScene(const char* name, std::size_t balls) {
+  World world = makeScene(findScene(name), balls);
+  world.settings.sleepSpeed = 1e-15;
+  return world;
+}
+
 /// By 100 steps of a scene after the first `warm`.
 long allocationsOf(const char* scene, std::size_t balls, int warm) {
-  World world = makeScene(findScene(scene), balls);
+  World world = makeWakefulScene(scene, balls);
   const auto simulation = makeSimulation();
   for (int step = 0; step < warm; ++step) simulation->step(world);
   const long before = allocations;
@@ -46,7 +53,7 @@ TEST(Allocation, WarmStepTakesNothingFromTheHeap) {
 }
 
 TEST(Allocation, NorDoesOneOnSeveralThreads) {
-  World world = makeScene(findScene("T1"), 500);
+  World world = makeWakefulScene("T1", 500);
   const auto simulation = makeSimulation({.threads = 3, .leastBallsForThreads = 0});
   for (int step = 0; step < 400; ++step) simulation->step(world);
   ASSERT_EQ(simulation->counts().threads, 3);

@@ -1,0 +1,146 @@
+#include "contacts/island_passes.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace wells {
+namespace {
+
+Vec3 shortenedTo(double limit, const Vec3& v) {
+  const double squared = squaredLength(v);
+  return squared > limit * limit ? Vec3(limit / std::sqrt(squared) * v) : v;
+}
+
+Vec3 across(const Vec3& v, const Vec3& normal) {
+  return v - dot(v, normal) * normal;
+}
+
+}  // namespace
+
+void IslandPasses::solve(const Settings& settings, std::span<Contact* const> island, int most,
+                         double solved, Balls& balls, const Ledger& ledger) {
+  take(settings, island, balls);
+  double changed = std::numeric_limits<double>::infinity();
+  for (int pass = 0; pass < most && changed > solved; ++pass) {
+    changed = 0;
+    for (Row& row : rows_) {
+      changed = std::max(changed, solveNormal(row));
+      if (settings.friction > 0) changed = std::max(changed, solveTangent(settings.friction, row));
+      if (settings.rollingResistance > 0)
+        changed = std::max(changed, solveRolling(settings.rollingResistance, row));
+    }
+  }
+  giveBack(balls, ledger);
+}
+
+std::uint32_t IslandPasses::bodyOf(std::uint32_t ball, double inverseMass, const Balls& balls) {
+  if (!isBall(ball)) return kArena;
+  if (const std::uint32_t known = number_[ball]; known < ballOf_.size() && ballOf_[known] == ball)
+    return known;
+  const auto body = static_cast<std::uint32_t>(bodies_.size());
+  const double radius = balls.radius[ball];
+  bodies_.push_back({balls.velocity[ball], radius * balls.spin[ball], inverseMass, 1 / radius});
+  ballOf_.push_back(ball);
+  return number_[ball] = body;
+}
+
+void IslandPasses::take(const Settings& settings, std::span<Contact* const> island,
+                        const Balls& balls) {
+  rows_.clear();
+  bodies_.assign(1, {Vec3::Zero(), Vec3::Zero(), 0, 0});
+  ballOf_.assign(1, kGround);
+  number_.resize(balls.size(), kArena);
+  for (Contact* c : island) {
+    if (!c->acts) continue;
+    const std::uint32_t a = bodyOf(c->a, c->inverseMassA, balls);
+    const std::uint32_t b = bodyOf(c->b, c->inverseMassB, balls);
+    const double inverse = c->inverseMassA + c->inverseMassB;
+    double turning = 0;
+    if (settings.rollingResistance > 0)
+      for (const std::uint32_t i : {a, b}) {
+        const Body& body = bodies_[i];
+        turning += kSpinFactor * body.inverseMass * body.inverseRadius * body.inverseRadius;
+      }
+    rows_.push_back({c, a, b, c->normal, 1 / inverse, inverse, c->bounceSpeed, turning,
+                     c->normalImpulse, c->tangentImpulse, c->rollingImpulse});
+  }
+}
+
+double IslandPasses::solveNormal(Row& row) {
+  Body& a = bodies_[row.a];
+  Body& b = bodies_[row.b];
+  const double closing = dot(a.velocity - b.velocity, row.normal);
+  const double total =
+      std::max(0.0, row.normalImpulse + row.normalMass * (closing + row.bounceSpeed));
+  const double change = total - row.normalImpulse;
+  row.normalImpulse = total;
+  const Vec3 impulse = change * row.normal;
+  a.velocity -= a.inverseMass * impulse;
+  b.velocity += b.inverseMass * impulse;
+  return std::abs(change) * row.inverseNormalMass;
+}
+
+double IslandPasses::solveTangent(double friction, Row& row) {
+  // The tangent plane has one mass: a tangent impulse of 1 changes the slip by so much more than a
+  // normal one changes the closing speed.
+  constexpr double kTangent = 1 + kSpinFactor;
+  Body& a = bodies_[row.a];
+  Body& b = bodies_[row.b];
+  const Vec3 slip =
+      across(a.velocity - b.velocity + cross(a.surface + b.surface, row.normal), row.normal);
+  const Vec3 total = shortenedTo(friction * row.normalImpulse,
+                                 row.tangentImpulse - (row.normalMass / kTangent) * slip);
+  const Vec3 change = total - row.tangentImpulse;
+  row.tangentImpulse = total;
+  const Vec3 torque = kSpinFactor * cross(row.normal, change);
+  a.velocity += a.inverseMass * change;
+  b.velocity -= b.inverseMass * change;
+  a.surface += a.inverseMass * torque;
+  b.surface += b.inverseMass * torque;
+  return length(change) * (kTangent * row.inverseNormalMass);
+}
+
+// Not within an impact: what the normal force of an instant does to the rolling is not modelled.
+double IslandPasses::solveRolling(double resistance, Row& row) {
+  if (row.contact->impact) return 0;
+  Body& a = bodies_[row.a];
+  Body& b = bodies_[row.b];
+  const Vec3 rolling =
+      across(a.inverseRadius * a.surface - b.inverseRadius * b.surface, row.normal);
+  const Vec3 total = shortenedTo(resistance * row.normalImpulse,
+                                 row.rollingImpulse - rolling / row.inverseTurning);
+  const Vec3 change = total - row.rollingImpulse;
+  row.rollingImpulse = total;
+  a.surface += (kSpinFactor * a.inverseMass * a.inverseRadius) * change;
+  b.surface -= (kSpinFactor * b.inverseMass * b.inverseRadius) * change;
+  return length(change) * row.inverseTurning / a.inverseRadius;
+}
+
+// What the impulses did to the energy is told by the balls that they moved.
+void IslandPasses::giveBack(Balls& balls, const Ledger& ledger) const {
+  for (std::size_t n = 1; n < bodies_.size(); ++n) {
+    const Body& body = bodies_[n];
+    const std::uint32_t i = ballOf_[n];
+    const double radius = balls.radius[i];
+    const Vec3 surface = radius * balls.spin[i];
+    const Vec3 gained = body.surface - surface;  // exactly 0 where nothing turns it
+    if (ledger)
+      ledger.books->contacts +=
+          (dot(body.velocity - balls.velocity[i], body.velocity + balls.velocity[i]) +
+           kInertiaFactor * dot(gained, body.surface + surface)) /
+          (2 * body.inverseMass);
+    balls.velocity[i] = body.velocity;
+    balls.spin[i] += body.inverseRadius * gained;
+  }
+  for (const Row& row : rows_) {
+    Contact& c = *row.contact;
+    if (ledger && isBall(c.b))
+      ledger.books->shifts.angular -=
+          c.gap * cross(c.normal, row.tangentImpulse - c.tangentImpulse);
+    c.normalImpulse = row.normalImpulse;
+    c.tangentImpulse = row.tangentImpulse;
+    c.rollingImpulse = row.rollingImpulse;
+  }
+}
+
+}  // namespace wells
