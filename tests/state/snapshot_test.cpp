@@ -80,14 +80,14 @@ TEST(Snapshot, HasTheDocumentedLayout) {
   snapshot.engine = "e";
   const std::string bytes = encode(snapshot);
   EXPECT_EQ(bytes.substr(0, 8), "wellsnap");
-  EXPECT_EQ(bytes.substr(kVersionAt, 4), std::string("\2\0\0\0", 4));
+  EXPECT_EQ(bytes.substr(kVersionAt, 4), std::string("\3\0\0\0", 4));
   EXPECT_EQ(static_cast<unsigned char>(bytes[kLengthAt]) +
                 256u * static_cast<unsigned char>(bytes[kLengthAt + 1]),
             bytes.size());
   double dt = 0;
   std::memcpy(&dt, bytes.data() + kFieldsAt, 8);  // this machine is little-endian, as the format
   EXPECT_EQ(dt, 1.0 / 60);
-  const std::size_t settings = 8 + 24 + 4 * 8 + (8 + 3) + 1 + 4 + 4 + 8 + 8;
+  const std::size_t settings = 8 + 24 + 4 * 8 + (8 + 3) + 1 + 4 + 4 + 8 + 8 + 1;
   const std::size_t arena = 24 + 8;
   const std::size_t step = kFieldsAt + settings + arena + 8 + 5 * 8 + 8;
   EXPECT_EQ(bytes.substr(step, 8), std::string("\2\1\0\0\0\0\0\0", 8));
@@ -131,7 +131,7 @@ TEST(Snapshot, SaysWhatIsWrongWithTheHead) {
   EXPECT_TRUE(contains(errorOf("id"), "not a snapshot"));
   std::string newer = bytes;
   put(newer, kVersionAt, 7, 4);
-  EXPECT_EQ(errorOf(sealed(newer)), "is of format version 7; this program reads 2");
+  EXPECT_EQ(errorOf(sealed(newer)), "is of format version 7; this program reads 3");
   EXPECT_TRUE(contains(errorOf(bytes + "x"), "altered: has "));
   std::string huge = bytes;
   put(huge, kLengthAt, ~0ull, 8);
@@ -193,6 +193,8 @@ TEST(Snapshot, NamesTheFieldThatIsOutOfRange) {
       {"settings.iterations = -4; ", [](Snapshot& s) { s.world.settings.iterations = -4; }},
       {"settings.mostImpacts = 0; ", [](Snapshot& s) { s.world.settings.mostImpacts = 0; }},
       {"settings.sleepSpeed = -1; ", [](Snapshot& s) { s.world.settings.sleepSpeed = -1; }},
+      {"settings.broadphase = 3; allowed: 0 to 2",
+       [](Snapshot& s) { s.world.settings.broadphase = static_cast<BroadphaseKind>(3); }},
       {"length of memory.rest.speed = ", [](Snapshot& s) { s.memory.rest.speed.pop_back(); }},
       {"memory.rest.group[1] = 2; ", [](Snapshot& s) { s.memory.rest.group[1] = 2; }},
       {"memory.rest.group[2] = 0; ", [](Snapshot& s) { s.memory.rest.group[2] = 0; }},
