@@ -160,7 +160,7 @@ TEST(Snapshot, ContentThatNobodyEncodedIsRefusedOrValid) {
 
 TEST(Snapshot, AHugeCountIsRefusedBeforeAnythingIsAllocated) {
   std::string bytes = encode({});
-  const std::size_t wells = kFieldsAt + 8 + 24 + 4 * 8 + (8 + 5) + 1 + 4 + 4 + 8 + 8 + 24 + 8;
+  const std::size_t wells = kFieldsAt + 8 + 24 + 4 * 8 + (8 + 5) + 1 + 4 + 4 + 8 + 8 + 1 + 24 + 8;
   put(bytes, wells, 1ull << 60, 8);
   const std::string error = errorOf(sealed(bytes));
   EXPECT_TRUE(contains(error, "length of wells = 1152921504606846976; allowed: at most ")) << error;
