@@ -31,6 +31,7 @@ iproute2 - a network of the demonstration's own
 ca-certificates - fetching LCM over https
 python3-venv - holds LCM
 libgtest-dev - GoogleTest: the tests are part of the build's configuration
+libbenchmark-dev - Google Benchmark: so are the micro-benchmarks
 "
 test_packages="
 clang-format - checks the format of the sources
