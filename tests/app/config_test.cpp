@@ -131,6 +131,7 @@ TEST(ConfigFile, RefusesEveryBadValue) {
       {"Iterations=0", "out of range"},
       {"MostImpacts=0", "out of range"},
       {"SleepSpeed=-1e-9", "out of range"},
+      {"Broadphase=sweep", "no such broadphase"},
       {"PeerID=0", "out of range"},
       {"PeerID=256", "out of range"},
       {"UDPPort=80", "out of range"},

@@ -107,12 +107,12 @@ class Snapshots(unittest.TestCase):
         state = self.folder / "state.csv"
         altered = bytearray(whole)
         altered[len(whole) // 2] ^= 4
-        newer = whole[:8] + b"\x03" + whole[9:]
+        newer = whole[:8] + b"\x04" + whole[9:]
         for content, says in (
                 (whole[:-1], f"cut: has {len(whole) - 1} of {len(whole)} bytes"),
                 (whole[:5], "cut: has 5 bytes"), (b"", "cut: has 0 bytes"),
                 (altered, "altered: its checksum is"), (whole + b"x", "altered: has"),
-                (newer, "is of format version 3; this program reads 2"),
+                (newer, "is of format version 4; this program reads 3"),
                 (b"id,x,y,z\n", "not a snapshot of a world")):
             with self.subTest(says=says):
                 self.snapshot.write_bytes(content)

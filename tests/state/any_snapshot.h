@@ -59,7 +59,7 @@ inline Snapshot anySnapshot(std::uint64_t seed, std::size_t balls) {
       .iterations = static_cast<int>(200 + random.below(100)),
       .mostImpacts = static_cast<std::int64_t>(random.below(1u << 20)) + (1ll << 40),
       .sleepSpeed = random.uniform(0.1, 0.7),
-      .broadphase = random.below(2) == 1 ? BroadphaseKind::Tree : BroadphaseKind::Grid};
+      .broadphase = seed % 2 == 1 ? BroadphaseKind::Tree : BroadphaseKind::Grid};
   world.arena = {.center = 100 * random.direction(), .radius = random.uniform(50, 90)};
   for (int t = 0; t < 3; ++t) {
     WellTrack& track = world.tracks.emplace_back();

@@ -87,7 +87,7 @@ TEST(Snapshot, HasTheDocumentedLayout) {
   double dt = 0;
   std::memcpy(&dt, bytes.data() + kFieldsAt, 8);  // this machine is little-endian, as the format
   EXPECT_EQ(dt, 1.0 / 60);
-  const std::size_t settings = 8 + 24 + 4 * 8 + (8 + 3) + 1 + 4 + 4 + 8 + 8;
+  const std::size_t settings = 8 + 24 + 4 * 8 + (8 + 3) + 1 + 4 + 4 + 8 + 8 + 1;
   const std::size_t arena = 24 + 8;
   const std::size_t step = kFieldsAt + settings + arena + 8 + 5 * 8 + 8;
   EXPECT_EQ(bytes.substr(step, 8), std::string("\2\1\0\0\0\0\0\0", 8));
@@ -160,7 +160,7 @@ TEST(Snapshot, ContentThatNobodyEncodedIsRefusedOrValid) {
 
 TEST(Snapshot, AHugeCountIsRefusedBeforeAnythingIsAllocated) {
   std::string bytes = encode({});
-  const std::size_t wells = kFieldsAt + 8 + 24 + 4 * 8 + (8 + 5) + 1 + 4 + 4 + 8 + 8 + 24 + 8;
+  const std::size_t wells = kFieldsAt + 8 + 24 + 4 * 8 + (8 + 5) + 1 + 4 + 4 + 8 + 8 + 1 + 24 + 8;
   put(bytes, wells, 1ull << 60, 8);
   const std::string error = errorOf(sealed(bytes));
   EXPECT_TRUE(contains(error, "length of wells = 1152921504606846976; allowed: at most ")) << error;
@@ -193,6 +193,8 @@ TEST(Snapshot, NamesTheFieldThatIsOutOfRange) {
       {"settings.iterations = -4; ", [](Snapshot& s) { s.world.settings.iterations = -4; }},
       {"settings.mostImpacts = 0; ", [](Snapshot& s) { s.world.settings.mostImpacts = 0; }},
       {"settings.sleepSpeed = -1; ", [](Snapshot& s) { s.world.settings.sleepSpeed = -1; }},
+      {"settings.broadphase = 3; allowed: 0 to 2",
+       [](Snapshot& s) { s.world.settings.broadphase = static_cast<BroadphaseKind>(3); }},
       {"length of memory.rest.speed = ", [](Snapshot& s) { s.memory.rest.speed.pop_back(); }},
       {"memory.rest.group[1] = 2; ", [](Snapshot& s) { s.memory.rest.group[1] = 2; }},
       {"memory.rest.group[2] = 0; ", [](Snapshot& s) { s.memory.rest.group[2] = 0; }},
