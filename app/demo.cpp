@@ -92,6 +92,8 @@ std::vector<std::string> peerArguments(const DemoOptions& options, const LcmUrl&
                                         formatNumber(options.duration),
                                         "--GraphicsRate",
                                         kGraphicsRate,
+                                        "--GraphicsCores",  // not one for the pictures of both
+                                        "any",
                                         "--lcm-url",
                                         url.text(),
                                         "--video",

@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t kMostThreads = 256;
+constexpr std::int64_t kMostThreads = 64;
 constexpr std::string_view kSleepingScene = "T3-10000";
 
 std::vector<std::string> sceneNames() {
@@ -65,7 +65,7 @@ std::optional<SpeedOptions> parse(std::span<const std::string> arguments) {
          "--threads",
          [&](const std::string& text) {
            options.threads.clear();
-           parseOption("--threads", text, "whole numbers 1 to 256, with commas between them", [&] {
+           parseOption("--threads", text, "whole numbers 1 to 64, with commas between them", [&] {
              for (const std::string_view word : splitAtCommas(text))
                options.threads.push_back(parseInteger(trimmed(word), 1, kMostThreads));
            });

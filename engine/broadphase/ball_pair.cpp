@@ -1,5 +1,6 @@
 #include "broadphase/ball_pair.h"
 
+#include <span>
 #include <utility>
 
 namespace wells {
@@ -9,16 +10,18 @@ void PairSorter::finish(std::vector<BallPair>& sorted) {
     std::uint32_t sum = 0;
     for (std::uint32_t& start : *starts) sum += std::exchange(start, sum);
   }
-  lowers_.resize(pairs_.size());
-  for (const BallPair& pair : pairs_) lowers_[upperStart_[pair.b]++] = pair.a;
-  sorted.resize(pairs_.size());
-  // Each ball's start has moved to its end.
+  if (lowers_.size() < count_) lowers_.resize(pairs_.size());
+  for (const BallPair& pair : std::span(pairs_).first(count_))
+    lowers_[upperStart_[pair.b]++] = pair.a;
+  sorted.resize(count_);
   std::uint32_t at = 0;
-  for (std::uint32_t upper = 0; upper + 1 < upperStart_.size(); ++upper)
-    for (; at < upperStart_[upper]; ++at) {
+  for (std::uint32_t upper = 0; upper + 1 < upperStart_.size(); ++upper) {
+    const std::uint32_t end = upperStart_[upper];  // it has moved there from the start
+    for (; at < end; ++at) {
       const std::uint32_t lower = lowers_[at];
       sorted[lowerStart_[lower]++] = {lower, upper};
     }
+  }
 }
 
 }  // namespace wells

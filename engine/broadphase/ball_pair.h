@@ -14,12 +14,14 @@ struct BallPair {
   bool operator==(const BallPair&) const = default;
 };
 
-/// Sorts pairs of balls by (a, b) in O(pairs + balls): by b first, then by a, each time by counting.
+/// Sorts pairs of balls by (a, b) in O(pairs + balls): by b first, then by a, each time by
+/// counting.
 class PairSorter {
  public:
-  /// Numbers of balls are below `balls`.
-  void begin(std::size_t balls) {
-    pairs_.clear();
+  /// Numbers of balls are below `balls`; at most `most` pairs are added.
+  void begin(std::size_t balls, std::size_t most) {
+    count_ = 0;
+    if (pairs_.size() < most) pairs_.resize(most);
     lowerStart_.assign(balls + 1, 0);
     upperStart_.assign(balls + 1, 0);
   }
@@ -30,14 +32,15 @@ class PairSorter {
     const std::uint32_t upper = x < y ? y : x;
     ++lowerStart_[lower];
     ++upperStart_[upper];
-    pairs_.push_back({lower, upper});
+    pairs_[count_++] = {lower, upper};
   }
 
   /// All that were added.
   void finish(std::vector<BallPair>& sorted);
 
  private:
-  std::vector<BallPair> pairs_;
+  std::vector<BallPair> pairs_;  // count_ of them are valid
+  std::size_t count_ = 0;
   std::vector<std::uint32_t> lowerStart_, upperStart_;  // by ball: counts, then where its pairs go
   std::vector<std::uint32_t> lowers_;                   // by upper ball
 };

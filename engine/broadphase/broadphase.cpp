@@ -21,9 +21,13 @@ constexpr double kFattening = 0.5;
 // Steps: by how many of its motion a box that is set anew reaches ahead. T2 with 10,000 balls: 7.1
 // ms a step with 0, 4.1 with 4, 4.5 with 8; T1 does not mind.
 constexpr double kAhead = 4;
-// The same for the grid, where one ball that leaves its box means that all are set anew.
-constexpr double kSkin = 0.1;
-constexpr double kSkinSteps = 1;
+// The same for the grid, where one ball that leaves its sphere means that all are set anew. A list
+// that serves few steps is not worth the pairs that the skin adds: after one that did not, none has
+// a skin for a while.
+constexpr double kSkin = 0.4;
+constexpr double kSkinSteps = 4;
+constexpr int kFewSteps = 3;
+constexpr int kListsWithoutSkin = 30;
 constexpr double kMostUnequalRadii = 2;
 constexpr int kWallPieces = 64;
 // Each ball that is removed costs a look at all pairs; of more at once, those that stay are built
@@ -65,13 +69,13 @@ struct Broadphase::Proxies {
   std::vector<btBroadphaseProxy*> ofBall;  // null: not finite, in no pair
   std::vector<btBroadphaseProxy*> ofArena;
   std::vector<KnownSphere> spheres;  // by ball, of the grid
+  int stepsServed = kFewSteps;       // by the present list
+  int listsWithoutSkin = 0;          // that are to follow
   Arena arena;
   BroadphaseKind chosen;
 
   explicit Proxies(const World& world)
-      : ofBall(world.balls.size(), nullptr),
-        arena(world.arena),
-        chosen(world.settings.broadphase) {
+      : ofBall(world.balls.size(), nullptr), arena(world.arena), chosen(world.settings.broadphase) {
     const BroadphaseKind kind =
         chosen == BroadphaseKind::Auto ? broadphaseFor(world.balls.radius) : chosen;
     if (kind == BroadphaseKind::Tree) {
@@ -128,6 +132,16 @@ struct Broadphase::Proxies {
       // Multiples of a quarter turn are edges of pieces, so the corners bound the arc itself.
       ofArena.push_back(add(c + low, c + high, kWall));
     }
+  }
+
+  /// Whether the list that is made next is to serve several steps.
+  bool nextHasSkin() {
+    if (listsWithoutSkin > 0)
+      --listsWithoutSkin;
+    else if (stepsServed < kFewSteps)
+      listsWithoutSkin = kListsWithoutSkin;
+    stepsServed = 1;
+    return listsWithoutSkin == 0;
   }
 
   /// Whether nothing that a ball meets within `radius` of its place can be missing.
@@ -228,15 +242,20 @@ void Broadphase::updateSpheres(const World& world, std::span<const double> reach
     return isIn(i) == (proxies_->ofBall[i] != nullptr) &&
            (!isIn(i) || proxies_->isKnown(i, balls.position[i], balls.radius[i] + reach[i]));
   });
-  if (areKnown) return;
+  if (areKnown) {
+    ++proxies_->stepsServed;
+    return;
+  }
+  const bool hasSkin = proxies_->nextHasSkin();
   for (const std::uint32_t i : among) {
     if (!isIn(i)) {
       removeProxy(i);
       continue;
     }
     const Vec3& x = balls.position[i];
-    const double skin = kSkin * balls.radius[i] +
-                        kSkinSteps * world.settings.dt * length(balls.velocity[i]);
+    const double skin = hasSkin ? kSkin * balls.radius[i] +
+                                      kSkinSteps * world.settings.dt * length(balls.velocity[i])
+                                : 0;
     const double radius = balls.radius[i] + reach[i] + skin;
     proxies_->spheres[i] = {x, radius};
     const Vec3 low = x - Vec3::Constant(radius);
@@ -250,29 +269,27 @@ void Broadphase::updateSpheres(const World& world, std::span<const double> reach
 }
 
 void Broadphase::list() {
-  sorter_.begin(proxies_->ofBall.size());
   nearGround_.clear();
   nearWall_.clear();
-  if (proxies_->grid) {
-    proxies_->grid->forEachPair([&](std::uint32_t x, std::uint32_t y) { take(x, y); });
+  const auto take = [&](std::uint32_t x, std::uint32_t y) {
+    const std::uint32_t upper = std::max(x, y);
+    if (isBall(upper))
+      sorter_.add(x, y);
+    else
+      (upper == kGround ? nearGround_ : nearWall_).push_back(std::min(x, y));
+  };
+  if (const GridBroadphase* const grid = proxies_->grid.get()) {
+    sorter_.begin(proxies_->ofBall.size(), grid->pairs());
+    // Ground and wall are never in cells.
+    grid->forEachPair([&](std::uint32_t x, std::uint32_t y) { sorter_.add(x, y); }, take);
   } else {
     const btBroadphasePairArray& pairs =
         proxies_->broadphase->getOverlappingPairCache()->getOverlappingPairArray();
+    sorter_.begin(proxies_->ofBall.size(), static_cast<std::size_t>(pairs.size()));
     for (int n = 0; n < pairs.size(); ++n)
       take(partnerOf(pairs[n].m_pProxy0), partnerOf(pairs[n].m_pProxy1));
   }
   sorter_.finish(ballPairs_);
-}
-
-void Broadphase::take(std::uint32_t x, std::uint32_t y) {
-  const std::uint32_t lower = std::min(x, y);
-  const std::uint32_t upper = std::max(x, y);
-  if (isBall(upper))
-    sorter_.add(lower, upper);
-  else if (upper == kGround)
-    nearGround_.push_back(lower);
-  else
-    nearWall_.push_back(lower);
 }
 
 }  // namespace wells

@@ -60,7 +60,6 @@ class Broadphase {
   void updateSpheres(const World& world, std::span<const double> reach,
                      std::span<const std::uint32_t> among);
   void list();
-  void take(std::uint32_t x, std::uint32_t y);
 
   std::unique_ptr<Proxies> proxies_;
   PairSorter sorter_;

@@ -15,7 +15,9 @@ constexpr std::size_t kFewBoxes = 48;
 constexpr std::size_t kSizeSample = 256;
 constexpr std::size_t kPlaceSample = 64;
 // Boxes up to so much larger than the largest of the sample still go into cells.
-constexpr double kSizeMargin = 1.1;
+constexpr double kSizeMargin = 1.05;
+// Of the width over which boxes are spread, what is left without the outer tenths.
+constexpr double kWidthOfSample = 0.8;
 constexpr int kSortsWithOnePlace = 16;
 // The number of a cell is exact to 2^-22 of a cell up to so many cells from the anchor; cells are
 // larger than boxes by more than that.
@@ -23,9 +25,11 @@ constexpr double kMostCellsAway = 1e9;
 constexpr double kCellOffset = 1 << 30;
 constexpr double kCellMargin = 1e-5;
 constexpr double kLargestLength = 1e15;  // m, whose square is a float
-// Of a coordinate and of a size: more than single precision loses in the tests.
+// More than is lost by rounding: of a coordinate from the anchor and of a size, in the tests'
+// single precision; of a coordinate from the origin, in a box's faces.
 constexpr double kCoordinateLoss = 1.0 / (1 << 22);
 constexpr double kSizeLoss = 1.0 / (1 << 20);
+constexpr double kFaceLoss = 1e-15;
 
 // Partners that are made room for at a time, in slots.
 constexpr std::size_t kMostRoom = 1 << 16;
@@ -73,7 +77,9 @@ void CellGrid::layOut(std::span<btBroadphaseProxy* const> boxes) {
   for (std::size_t i = 0; i < boxes.size(); i += stride)
     if (const double size = halfSizeOf(*boxes[i]); size <= kLargestLength / 4)
       half = std::max(half, size);
-  size_ = half > 0 ? 2 * half * (1 + kCellMargin) * (stride > 1 ? kSizeMargin : 1) : 1;
+  size_ = half > 0 ? 2 * half * (stride > 1 ? kSizeMargin : 1 + 2 * kCellMargin) : 1;
+  inverseSize_ = 1 / size_;
+  farthest_ = std::min(kMostCellsAway * size_, kLargestLength);
   if (--sortsLeft_ >= 0 && placedFor_ == boxes.size()) return;
   choosePlace(boxes);
   placedFor_ = boxes.size();
@@ -86,6 +92,7 @@ void CellGrid::choosePlace(std::span<btBroadphaseProxy* const> boxes) {
   std::size_t size = 0;
   const std::size_t stride = strideOf(boxes.size(), kPlaceSample);
   for (std::size_t i = 0; i < boxes.size() && size < kPlaceSample; i += stride) {
+    if (!(2 * halfSizeOf(*boxes[i]) <= size_)) continue;
     const auto center = centerOf(*boxes[i]);
     if (!std::ranges::all_of(center, [](double x) { return std::isfinite(x); })) continue;
     for (int k = 0; k < 3; ++k) sample[k][size] = center[k];
@@ -101,14 +108,13 @@ void CellGrid::choosePlace(std::span<btBroadphaseProxy* const> boxes) {
     const double low = values[size / 10];
     const double high = values[size - 1 - size / 10];
     anchor_[k] = low + 0.5 * (high - low);
-    const double cells = std::clamp((high - low) / (0.8 * size_), 1.0, 1e6);
-    bits_[k] = std::max(2u, static_cast<std::uint32_t>(std::ceil(std::log2(cells))));
+    const double cells = std::clamp((high - low) / (kWidthOfSample * size_), 1.0, 1e6);
+    bits_[k] =
+        std::max(2u, static_cast<std::uint32_t>(std::bit_width(static_cast<std::uint32_t>(cells))));
     sum += bits_[k];
   }
-  if (boxes.size() <= kFewBoxes) {
-    bits_ = {};
-    return;
-  }
+  if (stride == 1 && size <= kFewBoxes) bits_ = {};
+  if (bits_[0] == 0) return;
   const auto most = std::max(6u, static_cast<std::uint32_t>(std::bit_width(boxes.size())));
   for (; sum > most; --sum) --*std::ranges::max_element(bits_);
 }
@@ -116,23 +122,25 @@ void CellGrid::choosePlace(std::span<btBroadphaseProxy* const> boxes) {
 /// False for one that is to be kept apart.
 bool CellGrid::enter(const btBroadphaseProxy& box, Entry& entry) const {
   const auto center = centerOf(box);
-  const double inverse = 1 / size_;
-  const double farthest = std::min(kMostCellsAway * size_, kLargestLength);
   double away = 0;
+  double fromOrigin = 0;
   std::uint32_t cell = 0;
   for (int k = 2; k >= 0; --k) {
     const double x = center[k] - anchor_[k];
-    if (!(std::abs(x) <= farthest)) return false;
+    if (!(std::abs(x) <= farthest_)) return false;
     away = std::max(away, std::abs(x));
+    fromOrigin = std::max(fromOrigin, std::abs(center[k]));
     entry.center[k] = static_cast<float>(x);
-    const auto number = static_cast<std::uint64_t>(x * inverse + kCellOffset);
+    const auto number = static_cast<std::int64_t>(x * inverseSize_ + kCellOffset);
     cell = cell << bits_[k] | (static_cast<std::uint32_t>(number) & ((1u << bits_[k]) - 1));
   }
   entry.cell = cell;
-  for (int k = 0; k < 3; ++k) {
+  const double loss = kCoordinateLoss * away + kFaceLoss * fromOrigin;
+  const int sizes = content_ == BoxContent::Spheres ? 1 : 3;
+  for (int k = 0; k < sizes; ++k) {
     const double half = 0.5 * (box.m_aabbMax[k] - box.m_aabbMin[k]);
     if (!(2 * half * (1 + kCellMargin) <= size_)) return false;
-    entry.half[k] = static_cast<float>((half + kCoordinateLoss * away) * (1 + kSizeLoss));
+    entry.half[k] = static_cast<float>((half + loss) * (1 + kSizeLoss));
   }
   return true;
 }

@@ -1,6 +1,6 @@
 // Which boxes overlap, of many that are about as large as each other: they are sorted into cells
-// that are as large as a box, so that those which overlap lie in cells that touch. Knows no filters,
-// and keeps nothing from one sort to the next but the layout of the cells.
+// that are as large as a box, so that those which overlap lie in cells that touch. Knows no
+// filters, and keeps nothing from one sort to the next but the layout of the cells.
 //
 // The grid has no end: a cell stands for all that lie a whole number of grids away from it, so that
 // memory depends on the number of boxes alone, wherever they are. Rows of cells along x are
@@ -72,12 +72,14 @@ class CellGrid {
   // The layout.
   std::array<double, 3> anchor_{};       // m
   double size_ = 1;                      // m, of a cell
+  double inverseSize_ = 1;               // 1/m
+  double farthest_ = 0;                  // m, from the anchor, that has a cell
   std::array<std::uint32_t, 3> bits_{};  // 2^bits cells along each axis; all 0: a single cell
   std::size_t placedFor_ = 0;            // boxes
   int sortsLeft_ = 0;                    // with this anchor and these bits
   // Of the last sort.
   std::vector<Entry> entries_;
-  std::vector<std::uint32_t> start_;  // by cell, of its slots
+  std::vector<std::uint32_t> start_;           // by cell, of its slots
   std::vector<std::uint32_t> cellOf_, boxOf_;  // by slot
   std::vector<std::uint32_t> large_;
   SortedBoxes sorted_;

@@ -11,8 +11,12 @@ namespace {
 // Slots that are searched at a time: the work of one thread.
 constexpr std::uint32_t kRange = 1024;
 
+/// Not so where a face is not a number; Bullet's own test says that those overlap with everything.
 bool overlap(const btBroadphaseProxy& x, const btBroadphaseProxy& y) {
-  return TestAabbAgainstAabb2(x.m_aabbMin, x.m_aabbMax, y.m_aabbMin, y.m_aabbMax);
+  bool all = true;
+  for (int k = 0; k < 3; ++k)
+    all &= x.m_aabbMin[k] <= y.m_aabbMax[k] && y.m_aabbMin[k] <= x.m_aabbMax[k];
+  return all;
 }
 
 }  // namespace
@@ -111,6 +115,12 @@ void GridBroadphase::lookAtSlots() {
   needsFilter_ = grid_.slots() > 0 && inAll == 0;
 }
 
+std::size_t GridBroadphase::pairs() const {
+  std::size_t count = largePairs_.size();
+  for (const FoundPartners& found : found_) count += found.ends.back();
+  return count;
+}
+
 void GridBroadphase::searchLarge() {
   largePairs_.clear();
   int groups = 0;
@@ -127,7 +137,8 @@ void GridBroadphase::searchLarge() {
       if (btBroadphaseProxy* const other = proxyIn(slot); mayCollide(*large, *other))
         largePairs_.emplace_back(large, other);
     // Walls and grounds are many, and do not collide with each other.
-    if ((large->m_collisionFilterGroup & masks) == 0 || (large->m_collisionFilterMask & groups) == 0)
+    if ((large->m_collisionFilterGroup & masks) == 0 ||
+        (large->m_collisionFilterMask & groups) == 0)
       continue;
     for (std::size_t m = 0; m < n; ++m)
       if (btBroadphaseProxy* const other = proxies_[larges[m]];
@@ -140,17 +151,12 @@ void GridBroadphase::fillCache(btDispatcher* dispatcher) {
   const auto add = [&](btBroadphaseProxy* x, btBroadphaseProxy* y) {
     if (overlap(*x, *y)) cache_->addOverlappingPair(x, y);
   };
-  for (const FoundPartners& found : found_) {
-    std::uint32_t at = 0;
-    for (std::uint32_t slot = found.slots.begin; slot < found.slots.end; ++slot)
-      for (const std::uint32_t end = found.ends[slot - found.slots.begin]; at < end; ++at)
-        add(proxyIn(slot), proxyIn(found.partners[at]));
-  }
+  forEachPairOfSlots([&](std::uint32_t x, std::uint32_t y) { add(proxyIn(x), proxyIn(y)); });
   for (const auto& [x, y] : largePairs_) add(x, y);
   // From the end: the cache fills the place of a pair that goes with the last.
   const btBroadphasePair* const pairs = cache_->getOverlappingPairArrayPtr();
   for (int n = cache_->getNumOverlappingPairs() - 1; n >= 0; --n)
-    if (btBroadphaseProxy *const x = pairs[n].m_pProxy0, *const y = pairs[n].m_pProxy1;
+    if (btBroadphaseProxy* const x = pairs[n].m_pProxy0, * const y = pairs[n].m_pProxy1;
         !overlap(*x, *y))
       cache_->removeOverlappingPair(x, y, dispatcher);
 }

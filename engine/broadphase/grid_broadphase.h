@@ -22,8 +22,7 @@ class GridBroadphase final : public btBroadphaseInterface {
   /// `cache` outlives this. It gets every pair whose boxes overlap and which its filter lets pass,
   /// and loses all others; it must not put off removals (btHashedOverlappingPairCache does not).
   /// Null: see forEachPair().
-  explicit GridBroadphase(btOverlappingPairCache* cache,
-                          BoxContent content = BoxContent::Anything);
+  explicit GridBroadphase(btOverlappingPairCache* cache, BoxContent content = BoxContent::Anything);
 
   btBroadphaseProxy* createProxy(const btVector3& low, const btVector3& high, int shape,
                                  void* client, int group, int mask,
@@ -45,21 +44,23 @@ class GridBroadphase final : public btBroadphaseInterface {
   void getBroadphaseAabb(btVector3& low, btVector3& high) const override;
   void printStats() override;
 
-  /// Calls visit(x, y) for the pairs of the last calculateOverlappingPairs(), each once, in no
-  /// particular order: all whose boxes overlap and which may collide, and some whose boxes nearly
-  /// overlap. x and y are the proxies' client objects, which must be numbers of 32 bits.
-  template <class Visit>
-  void forEachPair(Visit visit) const {
-    for (const FoundPartners& found : found_) {
-      std::uint32_t at = 0;
-      for (std::uint32_t slot = found.slots.begin; slot < found.slots.end; ++slot)
-        for (const std::uint32_t end = found.ends[slot - found.slots.begin]; at < end; ++at) {
-          const std::uint32_t other = found.partners[at];
-          if (!needsFilter_ || mayCollide(*proxyIn(slot), *proxyIn(other)))
-            visit(numberIn_[slot], numberIn_[other]);
-        }
-    }
-    for (const auto& [x, y] : largePairs_) visit(numberOf(*x), numberOf(*y));
+  /// At most so many.
+  std::size_t pairs() const;
+
+  /// Calls inCells(x, y) or large(x, y) for the pairs of the last calculateOverlappingPairs(), each
+  /// once, in no particular order: all whose boxes overlap and which may collide, and some whose
+  /// boxes nearly overlap. x and y are the proxies' client objects, which must be numbers of 32
+  /// bits. In large pairs, one box is much larger than most boxes, or very far away.
+  template <class InCells, class Large>
+  void forEachPair(InCells inCells, Large large) const {
+    if (needsFilter_)
+      forEachPairOfSlots([&](std::uint32_t x, std::uint32_t y) {
+        if (mayCollide(*proxyIn(x), *proxyIn(y))) inCells(numberIn_[x], numberIn_[y]);
+      });
+    else
+      forEachPairOfSlots(
+          [&](std::uint32_t x, std::uint32_t y) { inCells(numberIn_[x], numberIn_[y]); });
+    for (const auto& [x, y] : largePairs_) large(numberOf(*x), numberOf(*y));
   }
 
  private:
@@ -76,6 +77,17 @@ class GridBroadphase final : public btBroadphaseInterface {
     return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(proxy.m_clientObject));
   }
   btBroadphaseProxy* proxyIn(std::uint32_t slot) const { return proxies_[grid_.boxOf()[slot]]; }
+
+  template <class Visit>
+  void forEachPairOfSlots(Visit visit) const {
+    for (const FoundPartners& found : found_) {
+      const std::uint32_t* at = found.partners.data();
+      for (std::uint32_t slot = found.slots.begin; slot < found.slots.end; ++slot)
+        for (const auto* const end = found.partners.data() + found.ends[slot - found.slots.begin];
+             at < end; ++at)
+          visit(slot, *at);
+    }
+  }
 
   void search();
   void lookAtSlots();

@@ -1,9 +1,32 @@
 #include "broadphase/overlap_search.h"
 
+#include <algorithm>
+#include <bit>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "broadphase/overlap_search.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
+
+#ifndef WELLS_BROADPHASE_SET_BITS
+#define WELLS_BROADPHASE_SET_BITS
+namespace wells {
+namespace {
+
+/// By number: the places of its bits that are set.
+constexpr auto kSetBits = [] {
+  std::array<std::array<std::uint8_t, 8>, 256> table{};
+  for (std::size_t number = 0; number < table.size(); ++number) {
+    std::size_t count = 0;
+    for (std::uint8_t place = 0; place < 8; ++place)
+      if ((number >> place & 1) != 0) table[number][count++] = place;
+  }
+  return table;
+}();
+
+}  // namespace
+}  // namespace wells
+#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace wells::HWY_NAMESPACE {
@@ -15,103 +38,120 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Floats = hn::CappedTag<float, SortedBoxes::kRoom>;
 using Slots = hn::RebindToUnsigned<Floats>;
 using Vector = hn::Vec<Floats>;
+using Mask = hn::Mask<Floats>;
 
-HWY_INLINE Vector load(const std::vector<float>& numbers, std::uint32_t slot) {
-  return hn::LoadU(Floats(), numbers.data() + slot);
+HWY_INLINE Vector load(const float* numbers, std::uint32_t slot) {
+  return hn::LoadU(Floats(), numbers + slot);
 }
 
 HWY_INLINE Vector broadcast(float number) {
   return hn::Set(Floats(), number);
 }
 
-class Spheres {
- public:
-  HWY_INLINE Spheres(const SortedBoxes& boxes, std::uint32_t slot)
-      : boxes_(boxes),
-        x_(broadcast(boxes.x[slot])),
-        y_(broadcast(boxes.y[slot])),
-        z_(broadcast(boxes.z[slot])),
-        radius_(broadcast(boxes.halfX[slot])) {}
+/// What SortedBoxes holds, without a look at where its vectors are for each box.
+struct Numbers {
+  explicit Numbers(const SortedBoxes& boxes)
+      : x(boxes.x.data()),
+        y(boxes.y.data()),
+        z(boxes.z.data()),
+        halfX(boxes.halfX.data()),
+        halfY(boxes.content == BoxContent::Spheres ? halfX : boxes.halfY.data()),
+        halfZ(boxes.content == BoxContent::Spheres ? halfX : boxes.halfZ.data()) {}
 
-  HWY_INLINE hn::Mask<Floats> overlap(std::uint32_t slot) const {
-    const Vector x = hn::Sub(load(boxes_.x, slot), x_);
-    const Vector y = hn::Sub(load(boxes_.y, slot), y_);
-    const Vector z = hn::Sub(load(boxes_.z, slot), z_);
-    const Vector bound = hn::Add(load(boxes_.halfX, slot), radius_);
+  const float *x, *y, *z, *halfX, *halfY, *halfZ;
+};
+
+class SphereTest {
+ public:
+  HWY_INLINE SphereTest(const Numbers& all, std::uint32_t slot)
+      : all_(all),
+        x_(broadcast(all.x[slot])),
+        y_(broadcast(all.y[slot])),
+        z_(broadcast(all.z[slot])),
+        radius_(broadcast(all.halfX[slot])) {}
+
+  HWY_INLINE Mask overlap(std::uint32_t slot) const {
+    const Vector x = hn::Sub(load(all_.x, slot), x_);
+    const Vector y = hn::Sub(load(all_.y, slot), y_);
+    const Vector z = hn::Sub(load(all_.z, slot), z_);
+    const Vector bound = hn::Add(load(all_.halfX, slot), radius_);
     const Vector squared = hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z));
     return hn::Le(squared, hn::Mul(bound, bound));
   }
 
  private:
-  const SortedBoxes& boxes_;
+  const Numbers all_;
   const Vector x_, y_, z_, radius_;
 };
 
-class Boxes {
+class BoxTest {
  public:
-  HWY_INLINE Boxes(const SortedBoxes& boxes, std::uint32_t slot)
-      : boxes_(boxes),
-        x_(broadcast(boxes.x[slot])),
-        y_(broadcast(boxes.y[slot])),
-        z_(broadcast(boxes.z[slot])),
-        halfX_(broadcast(boxes.halfX[slot])),
-        halfY_(broadcast(boxes.halfY[slot])),
-        halfZ_(broadcast(boxes.halfZ[slot])) {}
+  HWY_INLINE BoxTest(const Numbers& all, std::uint32_t slot)
+      : all_(all),
+        x_(broadcast(all.x[slot])),
+        y_(broadcast(all.y[slot])),
+        z_(broadcast(all.z[slot])),
+        halfX_(broadcast(all.halfX[slot])),
+        halfY_(broadcast(all.halfY[slot])),
+        halfZ_(broadcast(all.halfZ[slot])) {}
 
-  HWY_INLINE hn::Mask<Floats> overlap(std::uint32_t slot) const {
-    const auto along = [slot](Vector center, Vector half, const std::vector<float>& centers,
-                              const std::vector<float>& halves) HWY_ATTR {
-      return hn::Le(hn::Abs(hn::Sub(load(centers, slot), center)),
-                    hn::Add(load(halves, slot), half));
-    };
-    return hn::And(hn::And(along(x_, halfX_, boxes_.x, boxes_.halfX),
-                           along(y_, halfY_, boxes_.y, boxes_.halfY)),
-                   along(z_, halfZ_, boxes_.z, boxes_.halfZ));
+  HWY_INLINE Mask overlap(std::uint32_t slot) const {
+    return hn::And(hn::And(along(all_.x, all_.halfX, x_, halfX_, slot),
+                           along(all_.y, all_.halfY, y_, halfY_, slot)),
+                   along(all_.z, all_.halfZ, z_, halfZ_, slot));
   }
 
  private:
-  const SortedBoxes& boxes_;
+  static HWY_INLINE Mask along(const float* centers, const float* halves, Vector center,
+                               Vector half, std::uint32_t slot) {
+    return hn::Le(hn::Abs(hn::Sub(load(centers, slot), center)), hn::Add(load(halves, slot), half));
+  }
+
+  const Numbers all_;
   const Vector x_, y_, z_, halfX_, halfY_, halfZ_;
 };
 
-/// A box given by its faces, which may be too far away for a centre.
-class Faces {
+/// Of a box given by its faces, which may be too far away for a centre.
+class FaceTest {
  public:
-  HWY_INLINE Faces(const SortedBoxes& boxes, const std::array<float, 3>& low,
-                   const std::array<float, 3>& high)
-      : boxes_(boxes), low_(low), high_(high) {}
+  HWY_INLINE FaceTest(const Numbers& all, const std::array<float, 3>& low,
+                      const std::array<float, 3>& high)
+      : all_(all), low_(low), high_(high) {}
 
-  HWY_INLINE hn::Mask<Floats> overlap(std::uint32_t slot) const {
-    const bool areCubes = boxes_.content == BoxContent::Spheres;
-    const auto along = [&](int axis, const std::vector<float>& centers,
-                           const std::vector<float>& halves) HWY_ATTR {
-      const Vector center = load(centers, slot);
-      const Vector half = load(areCubes ? boxes_.halfX : halves, slot);
-      return hn::And(hn::Le(hn::Sub(center, half), broadcast(high_[axis])),
-                     hn::Ge(hn::Add(center, half), broadcast(low_[axis])));
-    };
-    return hn::And(hn::And(along(0, boxes_.x, boxes_.halfX), along(1, boxes_.y, boxes_.halfY)),
-                   along(2, boxes_.z, boxes_.halfZ));
+  HWY_INLINE Mask overlap(std::uint32_t slot) const {
+    return hn::And(hn::And(along(all_.x, all_.halfX, 0, slot), along(all_.y, all_.halfY, 1, slot)),
+                   along(all_.z, all_.halfZ, 2, slot));
   }
 
  private:
-  const SortedBoxes& boxes_;
-  const std::array<float, 3>& low_;
-  const std::array<float, 3>& high_;
+  HWY_INLINE Mask along(const float* centers, const float* halves, std::size_t axis,
+                        std::uint32_t slot) const {
+    const Vector center = load(centers, slot);
+    const Vector half = load(halves, slot);
+    return hn::And(hn::Le(hn::Sub(center, half), broadcast(high_[axis])),
+                   hn::Ge(hn::Add(center, half), broadcast(low_[axis])));
+  }
+
+  const Numbers all_;
+  const std::array<float, 3> low_, high_;
 };
 
-/// Appends those of the range that overlap; returns the end of the list. Without a branch for each:
-/// whether a neighbour overlaps cannot be foretold.
+/// Appends those of the range that overlap; returns the end of the list. Without a branch for each,
+/// because whether a neighbour overlaps cannot be foretold.
 template <class Test>
 HWY_INLINE std::uint32_t* append(const Test& test, SlotRange range, std::uint32_t* end) {
   const Slots slots;
+  const hn::Rebind<std::uint8_t, Slots> places;
   const auto lanes = static_cast<std::uint32_t>(hn::Lanes(slots));
   for (std::uint32_t slot = range.begin; slot < range.end; slot += lanes) {
-    const auto isIn = hn::FirstN(slots, range.end - slot);
-    const auto overlaps = hn::And(isIn, hn::RebindMask(slots, test.overlap(slot)));
-    // In a register: storing a part of a vector takes some processors a hundred cycles.
-    hn::StoreU(hn::Compress(hn::Iota(slots, slot), overlaps), slots, end);
-    end += hn::CountTrue(slots, overlaps);
+    std::uint8_t overlaps = 0;
+    hn::StoreMaskBits(Floats(), test.overlap(slot), &overlaps);
+    const std::uint32_t left = std::min(range.end - slot, lanes);
+    const std::uint32_t bits = overlaps & ((1u << left) - 1);
+    // Highway's Compress copies its table to the stack at every call with AVX2 (1.0.3).
+    const auto places8 = hn::LoadU(places, kSetBits[bits].data());
+    hn::StoreU(hn::Add(hn::PromoteTo(slots, places8), hn::Set(slots, slot)), slots, end);
+    end += std::popcount(bits);
   }
   return end;
 }
@@ -119,9 +159,10 @@ HWY_INLINE std::uint32_t* append(const Test& test, SlotRange range, std::uint32_
 template <class Test>
 HWY_INLINE void findEach(const SortedBoxes& boxes, const CellSearch& search, std::uint32_t from,
                          std::uint32_t* ends, std::uint32_t* partners) {
+  const Numbers all(boxes);
   std::uint32_t* end = partners + from;
   for (std::uint32_t slot = search.slots.begin; slot < search.slots.end; ++slot) {
-    const Test test(boxes, slot);
+    const Test test(all, slot);
     end = append(test, {slot + 1, search.end}, end);
     for (std::size_t n = 0; n < search.otherCount; ++n) end = append(test, search.others[n], end);
     *ends++ = static_cast<std::uint32_t>(end - partners);
@@ -133,15 +174,16 @@ HWY_INLINE void findEach(const SortedBoxes& boxes, const CellSearch& search, std
 void findPartnersHere(const SortedBoxes& boxes, const CellSearch& search, std::uint32_t from,
                       std::uint32_t* ends, std::uint32_t* partners) {
   if (boxes.content == BoxContent::Spheres)
-    findEach<Spheres>(boxes, search, from, ends, partners);
+    findEach<SphereTest>(boxes, search, from, ends, partners);
   else
-    findEach<Boxes>(boxes, search, from, ends, partners);
+    findEach<BoxTest>(boxes, search, from, ends, partners);
 }
 
 std::uint32_t findWithinHere(const SortedBoxes& boxes, const std::array<float, 3>& low,
                              const std::array<float, 3>& high, SlotRange range,
                              std::uint32_t* found) {
-  return static_cast<std::uint32_t>(append(Faces(boxes, low, high), range, found) - found);
+  return static_cast<std::uint32_t>(append(FaceTest(Numbers(boxes), low, high), range, found) -
+                                    found);
 }
 
 }  // namespace wells::HWY_NAMESPACE

@@ -16,12 +16,14 @@ constexpr std::size_t kKinds = kColours + 3;
 
 }  // namespace
 
-void ContactBatches::split(std::span<const BallPair> pairs, std::span<const std::uint32_t> place,
-                           std::size_t ballCount) {
+void ContactBatches::split(std::span<const BallPair> pairs, std::span<const std::uint32_t> balls,
+                           std::span<const std::uint32_t> place) {
+  const std::size_t ballCount = balls.size();
+  orderPairs(pairs, balls, place);
   used_.assign(ballCount, 0);
   colour_.resize(pairs.size());
   next_.assign(kKinds + 1, 0);
-  for (std::size_t n = 0; n < pairs.size(); ++n) {
+  for (const std::uint32_t n : order_) {
     const auto [a, b] = pairs[n];
     std::uint8_t colour = b == kGround ? kOfGround : kOfWall;
     if (isBall(b)) {
@@ -51,13 +53,31 @@ void ContactBatches::split(std::span<const BallPair> pairs, std::span<const std:
   }
 
   pairs_.resize(pairs.size());
-  source_.resize(pairs.size());
-  for (std::uint32_t n = 0; n < pairs.size(); ++n) {
+  slots_.resize(pairs.size());
+  for (const std::uint32_t n : order_) {
     const auto [a, b] = pairs[n];
     const std::uint32_t to = next_[colour_[n]]++;
     pairs_[to] = {place[a], isBall(b) ? place[b] : static_cast<std::uint32_t>(ballCount)};
-    source_[to] = n;
+    slots_[n] = to;
   }
+}
+
+/// Those of one ball a follow each other in both orders.
+void ContactBatches::orderPairs(std::span<const BallPair> pairs,
+                                std::span<const std::uint32_t> balls,
+                                std::span<const std::uint32_t> place) {
+  constexpr std::uint32_t kNone = 0xffffffff;
+  firstOf_.assign(2 * balls.size(), kNone);  // between balls; with the arena
+  const auto listOf = [&](const BallPair& pair) { return 2 * place[pair.a] + !isBall(pair.b); };
+  for (std::uint32_t n = 0; n < pairs.size(); ++n) {
+    std::uint32_t& first = firstOf_[listOf(pairs[n])];
+    first = std::min(first, n);
+  }
+  order_.clear();
+  order_.reserve(pairs.size());
+  for (std::size_t list = 0; list < firstOf_.size(); ++list)
+    for (std::uint32_t n = firstOf_[list]; n < pairs.size() && listOf(pairs[n]) == list; ++n)
+      order_.push_back(n);
 }
 
 }  // namespace wells

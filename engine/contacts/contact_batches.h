@@ -20,25 +20,32 @@ struct ContactBatch {
 
 class ContactBatches {
  public:
-  /// Splits the pairs of the balls `balls` (rising ids), those with ground and wall last.
-  /// place[id] is the place of ball id in `balls`.
-  void split(std::span<const BallPair> pairs, std::span<const std::uint32_t> place,
-             std::size_t ballCount);
+  /// Splits the pairs of the balls `balls`: first those between balls, by (a, b), then those with
+  /// the arena. place[id] is the place of ball id in `balls`, and the order of the pairs of a batch
+  /// is that of `balls`.
+  void split(std::span<const BallPair> pairs, std::span<const std::uint32_t> balls,
+             std::span<const std::uint32_t> place);
 
   std::span<const ContactBatch> batches() const { return batches_; }
-  /// Indices of balls; b of a contact with the arena is one behind all balls.
+  /// In the order of the batches. Indices of balls; b of a contact with the arena is one behind all
+  /// balls.
   std::span<const IndexPair> pairs() const { return pairs_; }
-  /// By pair of pairs(), its place among those given.
-  std::span<const std::uint32_t> source() const { return source_; }
+  /// By pair given, its place in pairs().
+  std::span<const std::uint32_t> slots() const { return slots_; }
 
  private:
+  void orderPairs(std::span<const BallPair> pairs, std::span<const std::uint32_t> balls,
+                  std::span<const std::uint32_t> place);
+
   std::vector<ContactBatch> batches_;
   std::vector<IndexPair> pairs_;
-  std::vector<std::uint32_t> source_;
+  std::vector<std::uint32_t> slots_;
   // Scratch.
-  std::vector<std::uint64_t> used_;   // by ball, colours
-  std::vector<std::uint8_t> colour_;  // by pair given
-  std::vector<std::uint32_t> next_;   // by colour
+  std::vector<std::uint32_t> firstOf_;  // by ball, of its pairs as a
+  std::vector<std::uint32_t> order_;    // of the pairs given
+  std::vector<std::uint64_t> used_;     // by ball, colours
+  std::vector<std::uint8_t> colour_;    // by pair given
+  std::vector<std::uint32_t> next_;     // by colour
 };
 
 }  // namespace wells

@@ -219,9 +219,11 @@ std::size_t touchingOf(const CrowdRules& rules, const CrowdArrays& in, std::uint
     } else {
       hn::Store(geometryOf<kPartner>(rules.arena, placeA, placeA).gap, kTag, gap);
     }
-    for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+    // Without a branch for each: whether a pair touches cannot be foretold.
+    const auto lanes = std::min<std::uint32_t>(kLanes, last - p);
+    for (std::uint32_t lane = 0; lane < lanes; ++lane) {
       touching[count] = p + lane;
-      if (gap[lane] <= 0 && p + lane < last) ++count;
+      count += gap[lane] <= 0 ? 1 : 0;
     }
   }
   return count;
@@ -356,10 +358,10 @@ void prepareAll(const CrowdRules& rules, const CrowdArrays& in,
     block.count = static_cast<std::uint32_t>(std::min(kContactLanes, touching.size() - first));
     for (std::size_t lane = 0; lane < kContactLanes; ++lane) {
       const bool isUsed = lane < block.count;
-      const std::uint32_t p = isUsed ? touching[first + lane] : in.pairCount;
+      const std::uint32_t p = isUsed ? touching[first + lane] : in.idlePair;
       block.pair[lane] = p;
-      block.a[lane] = isUsed ? in.pairs[p].a : in.ballCount;
-      block.b[lane] = isUsed ? in.pairs[p].b : in.ballCount + 1;
+      block.a[lane] = isUsed ? in.pairs[p].a : in.idleBall;
+      block.b[lane] = isUsed ? in.pairs[p].b : in.idleBall + 1;
     }
     for (std::size_t lane = 0; lane < kContactLanes; lane += kLanes)
       prepareLanes<kPartner, kRubs>(rules, in, lane, block, flights[first / kContactLanes],

@@ -14,18 +14,18 @@ namespace wells {
 /// What the contacts of a kernel's call are with.
 enum class PartnerKind : std::uint8_t { Ball, Ground, Wall };
 
-/// The arrays of a crowd. Two balls more than it has stand behind the others, out of reach of each
-/// other, and one lasting impulse: the lanes of a block that are not in use have these.
+/// The arrays of a crowd. Lanes of a block that are not in use have two idle balls, out of reach of
+/// each other, and an idle pair; each thread its own, behind those of the crowd.
 struct CrowdArrays {
   Place* place;
   Momentum* momentum;
   const Flown* flown;
   const std::uint32_t* ids;  // in the world
-  std::uint32_t ballCount;
   const IndexPair* pairs;
   LastingImpulse* lasting;   // by pair
   std::uint32_t* touchedIn;  // by pair, the last substep in which it touched
-  std::uint32_t pairCount;
+  std::uint32_t idleBall;    // and the one behind it
+  std::uint32_t idlePair;
 };
 
 struct CrowdRules {

@@ -60,6 +60,7 @@ bool DirectSolver::approach() {
 
 void DirectSolver::setUp(std::span<Contact* const> contacts, const Balls& balls) {
   const std::size_t n = contacts.size() * rowsPerContact_;
+  makeRoom(std::max(contacts.size(), kMostDirect) * rowsPerContact_);
   rows_.clear();
   cones_.clear();
   startVelocity_.clear();
@@ -106,6 +107,18 @@ void DirectSolver::setUp(std::span<Contact* const> contacts, const Balls& balls)
   velocity_.resize(n);
   residual_.resize(n);
   before_.resize(n);
+}
+
+// Once for all islands.
+void DirectSolver::makeRoom(std::size_t most) {
+  if (rows_.capacity() >= most) return;
+  rows_.reserve(most);
+  cones_.reserve(most);
+  impulses_.reserve(most);
+  for (auto* list :
+       {&startVelocity_, &start_, &center_, &impulse_, &velocity_, &residual_, &step_, &before_})
+    list->reserve(most);
+  for (auto* square : {&coupling_, &matrix_}) square->reserve(most * most);
 }
 
 /// What an impulse of 1 along row j does to the velocity along row i through the balls they share.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace wells {
 namespace {
@@ -20,6 +21,7 @@ std::int64_t reflect(double elasticity, double noise, std::span<Contact> contact
     any = any || c.impact;
   }
   if (!any) return 0;
+  double lastChange = std::numeric_limits<double>::infinity();
   for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
     double largestChange = 0;
     for (Contact& c : contacts) {
@@ -34,7 +36,10 @@ std::int64_t reflect(double elasticity, double noise, std::span<Contact> contact
       if (ledger) bookNormal(ledger, c, change, closing);
       largestChange = std::max(largestChange, std::abs(change) * (c.inverseMassA + c.inverseMassB));
     }
-    if (largestChange <= 0.01 * noise) break;
+    // Changes that are rounding and shrink no more would go to and fro.
+    if (largestChange <= 0.01 * noise || (largestChange <= noise && largestChange >= lastChange))
+      break;
+    lastChange = largestChange;
   }
   const auto isGiven = [](const Contact& c) { return c.impact && c.normalImpulse > 0; };
   if (ledger)

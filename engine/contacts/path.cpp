@@ -42,6 +42,7 @@ double pullBound(const Well& well, double distance, double way) {
 double pullBound(const PathModel& model, const Path& path, const BallState& ball, double t,
                  double duration) {
   const Field& field = *model.field;
+  if (field.wells.empty() && model.drag == 1) return 0;
   double strongest = length(field.gravity);
   for (const Well& well : field.wells) strongest += strongestPull(well);
   const double speed = fastest(path, ball, strongest, duration);  // drag only slows

@@ -64,13 +64,4 @@ ResolvedCounts resolveContacts(const Settings& settings, const Arena& arena, dou
                                Balls& balls, ContactWorkspace& workspace,
                                const SubstepBooks* booking = nullptr);
 
-/// Islands of up to this many contacts are solved directly, unless something bounces in them. In
-/// heaps of 10 and 25 balls about a well 16 were always solved, within 1.1 ms a step at the worst;
-/// of 24, all but 37 of some thousand, within 7 ms; of 32, half were not, at 10 ms a step in the
-/// mean. Such heaps have more contacts than balls have freedoms.
-inline constexpr std::size_t kMostDirect = 24;
-/// Likewise where balls move against each other: there the solution lasts for one substep, and a
-/// larger island costs more (with the cube of its contacts) than that is worth.
-inline constexpr std::size_t kMostDirectMoving = 10;
-
 }  // namespace wells

@@ -1,6 +1,7 @@
 #include "world/candidates.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "contacts/contact.h"
 #include "world/advance.h"
@@ -11,6 +12,9 @@ namespace {
 // Of Candidates::nearArena_.
 constexpr std::uint8_t kNearGround = 1;
 constexpr std::uint8_t kNearWall = 2;
+
+// Balls, all pairs of which cost less than a broadphase, unless one is asked for.
+constexpr std::size_t kFew = 48;
 
 }  // namespace
 
@@ -23,8 +27,11 @@ void Candidates::find(const World& world, std::span<const double> reach,
     isLeaning_[i] = 0;
     spheres_[i] = {balls.position[i], balls.radius[i] + reach[i]};
   }
-  broadphase_.update(world, reach, among);
   leaningPairs_.clear();
+  areFew_ = among.size() <= kFew && world.roles.empty() &&
+            world.settings.broadphase == BroadphaseKind::Auto;
+  if (areFew_) return findAmongFew(world, reach, among);
+  broadphase_.update(world, reach, among);
   if (world.roles.empty())
     findBalls();
   else
@@ -33,6 +40,7 @@ void Candidates::find(const World& world, std::span<const double> reach,
 }
 
 std::int64_t Candidates::pairs() const {
+  if (areFew_) return static_cast<std::int64_t>(ballPairs_.size() + arenaPairs_.size());
   return static_cast<std::int64_t>(broadphase_.ballPairs().size() +
                                    broadphase_.nearGround().size() + broadphase_.nearWall().size());
 }
@@ -48,6 +56,28 @@ void Candidates::findBalls() {
     const double bound = a.radius + b.radius;
     ballPairs_[count] = pair;
     count += squaredLength(b.center - a.center) <= bound * bound ? 1 : 0;
+  }
+  ballPairs_.resize(count);
+}
+
+void Candidates::findAmongFew(const World& world, std::span<const double> reach,
+                              std::span<const std::uint32_t> among) {
+  ballPairs_.resize(among.size() * among.size() / 2);
+  arenaPairs_.clear();
+  std::size_t count = 0;
+  for (std::size_t n = 0; n < among.size(); ++n) {
+    const std::uint32_t a = among[n];
+    if (!std::isfinite(reach[a])) continue;
+    const auto [center, radius] = spheres_[a];
+    for (std::size_t m = n + 1; m < among.size(); ++m) {
+      const Sphere& b = spheres_[among[m]];
+      const double bound = radius + b.radius;
+      ballPairs_[count] = {a, among[m]};
+      count += squaredLength(b.center - center) <= bound * bound && std::isfinite(b.radius) ? 1 : 0;
+    }
+    for (const std::uint32_t partner : {kWall, kGround})
+      if (mayTouchArena(world.arena, center, world.balls.radius[a], reach[a], partner))
+        arenaPairs_.push_back({a, partner});
   }
   ballPairs_.resize(count);
 }

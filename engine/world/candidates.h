@@ -37,7 +37,7 @@ class Candidates {
   /// compute. Here such balls only stop falling, because what holds them is not known.
   std::span<const std::uint8_t> isLeaning() const { return isLeaning_; }
 
-  /// Pairs of the broadphase.
+  /// Pairs of the broadphase; where there is none, because balls are few, all that were found.
   std::int64_t pairs() const;
 
  private:
@@ -48,11 +48,15 @@ class Candidates {
   };
 
   void findBalls();
+  /// All at once, without the broadphase.
+  void findAmongFew(const World& world, std::span<const double> reach,
+                    std::span<const std::uint32_t> among);
   void findBallsAndLeaning(const World& world);
   void findArena(const World& world, std::span<const double> reach,
                  std::span<const std::uint32_t> among);
 
   Broadphase broadphase_;
+  bool areFew_ = false;
   std::vector<BallPair> ballPairs_;
   std::vector<BallPair> arenaPairs_;
   std::vector<BallPair> leaningPairs_;

@@ -42,6 +42,10 @@ void ContactMemory::add(const Contact& c) {
 // By counting how many each ball has, then those few of a ball by comparing.
 void ContactMemory::arrange() {
   index();
+  const auto isOrdered = [](const Kept& x, const Kept& y) {
+    return x.a != y.a ? x.a < y.a : x.b < y.b;
+  };
+  if (std::ranges::is_sorted(kept_, isOrdered)) return;
   unsorted_.swap(kept_);
   kept_.resize(unsorted_.size());
   for (const Kept& c : unsorted_) kept_[firstOf_[c.a]++] = c;

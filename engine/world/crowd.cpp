@@ -1,205 +1,325 @@
 #include "world/crowd.h"
 
 #include <algorithm>
-#include <numeric>
+#include <array>
+#include <cmath>
 
-#include "contacts/lasting_force.h"
-#include "contacts/ledger.h"
 #include "contacts/substep_rules.h"
 
 namespace wells {
 namespace {
 
-constexpr double kFarApart = 1e6;  // m, of the two balls that idle lanes have
+constexpr double kFarApart = 1e6;             // m, of the two balls that idle lanes have
+constexpr std::uint32_t kNever = 0xfffffff0;  // no substep, nor the one before the first
+constexpr std::size_t kLeastPairs = 256;      // that a thread gathers, or a shared batch has
+constexpr std::size_t kLeastBalls = 256;      // that a thread copies
+constexpr std::size_t kFlightBlock = 64;      // balls, that fit the cache as components
 
 template <class Record>
-void resizeFor(std::vector<Record>& records, std::size_t balls) {
-  if (records.size() < balls + 2) records.resize(balls + 2);
+void makeRoomFor(std::vector<Record>& records, std::size_t count) {
+  if (records.size() < count) records.resize(count + count / 8);
 }
+
+/// Balls in a row, an array for each component.
+class FlightBlock {
+ public:
+  FlightArrays arrays(std::size_t count) {
+    return {x_.data(), y_.data(), z_.data(), vx_.data(), vy_.data(), vz_.data(), count};
+  }
+
+ private:
+  using Component = std::array<double, kFlightBlock>;
+  Component x_, y_, z_, vx_, vy_, vz_;
+};
 
 }  // namespace
 
-void Crowd::step(const Settings& settings, const PathModel& model,
-                 std::span<const std::uint32_t> island, std::span<const BallPair> pairs,
-                 std::span<const std::uint8_t> isLeaning, const ContactMemory& memory, Balls& balls,
-                 Books* books) {
-  StageScope stage(clock_, Stage::Batches);
-  const double h = settings.dt / settings.substeps;
-  island_ = island;
-  rules_ = {h, settings.elasticity, settings.friction, *model.arena, 0};
-  gather(settings, pairs, memory, balls);
-  for (int n = 0; n < settings.substeps; ++n) {
+void Crowd::step(const CrowdInput& in, Balls& balls, ThreadPool& pool, Books* books) {
+  const StageScope stage(clock_, Stage::Batches);
+  const int substeps = in.settings.substeps;
+  const double h = in.settings.dt / substeps;
+  order_.sort(balls, in.island);
+  island_ = order_.ids();
+  rules_ = {h, in.settings.elasticity, in.settings.friction, *in.model.arena, 0};
+  threads_ = static_cast<std::size_t>(pool.threads());
+  gather(in, balls, pool);
+  planBlocks(threads_);
+  for (int n = 0; n < substeps; ++n) {
     rules_.substep = static_cast<std::uint32_t>(n + 1);
-    const double start = n * h;
-    stage.next(Stage::Flight);
-    if (books) bookFlights(model, start, isLeaning, balls, *books);
-    fly(model, start, isLeaning);
-    const Booking flown = books ? bookingOf(model, start + h, balls) : Booking{};
-    stage.next(Stage::Prepare);
-    const CrowdSubstep substep = prepare();
-    stage.next(Stage::Solve);
-    solve(settings, substep);
-    const Booking solved = books ? bookingOf(model, start + h, balls) : Booking{};
-    const Books impulses = books ? booksOfImpulses(model, balls) : Books{};
-    stage.next(Stage::Push);
-    shift();
-    const Booking shifted = books ? bookingOf(model, start + h, balls) : Booking{};
-    pushOut();
+    isLastSubstep_ = n + 1 == substeps;
     if (books)
-      bookSubstep(flown, solved, shifted, bookingOf(model, start + h, balls), impulses, *books);
+      runBookedSubstep(in, n * h, pool, balls, *books);
+    else
+      runSubstep(in, n * h, pool);
   }
-  stage.next(Stage::Batches);
-  scatter(balls);
+  pool.forRanges(island_.size(), kLeastBalls, [&](std::size_t begin, std::size_t end, std::size_t) {
+    scatter(balls, {begin, end});
+  });
 }
 
-void Crowd::gather(const Settings& settings, std::span<const BallPair> pairs,
-                   const ContactMemory& memory, const Balls& balls) {
-  const std::size_t count = island_.size();
-  if (placeOf_.size() < balls.size()) placeOf_.resize(balls.size());
-  resizeFor(place_, count);
-  resizeFor(momentum_, count);
-  resizeFor(flown_, count);
-  position_.resize(count);
-  velocity_.resize(count);
-  all_.resize(count);
-  std::iota(all_.begin(), all_.end(), 0u);
-  for (std::uint32_t k = 0; k < count; ++k) {
-    const std::uint32_t i = island_[k];
-    const Vec3& x = balls.position[i];
-    const Vec3& v = balls.velocity[i];
-    const Vec3 s = balls.radius[i] * balls.spin[i];
-    placeOf_[i] = k;
-    place_[k] = {x.x(), x.y(), x.z(), balls.radius[i]};
-    momentum_[k] = {v.x(), v.y(), v.z(), 1 / balls.mass[i], s.x(), s.y(), s.z(), 0};
-  }
-  for (std::size_t idle = 0; idle < 2; ++idle) {
-    place_[count + idle] = {static_cast<double>(idle) * kFarApart, 0, 0, 1};
-    momentum_[count + idle] = {.inverseMass = 1};
-    flown_[count + idle] = {};
-  }
-
-  batches_.split(pairs, placeOf_, count);
-  const std::size_t pairCount = pairs.size();
-  lasting_.resize(pairCount + 1);
-  touchedIn_.resize(pairCount + 1);
-  touching_.resize(pairCount + 1);
-  const double substep = settings.dt / settings.substeps;
-  const double scale = memory.scaleTo(substep);
-  const auto source = batches_.source();
-  constexpr std::uint32_t kNever = 0xfffffff0;
-  for (std::size_t n = 0; n < pairCount; ++n) {
-    const auto [a, b] = pairs[source[n]];
-    const ContactMemory::Kept* const kept = memory.find(a, b);
-    touchedIn_[n] = kept ? 0 : kNever;
-    lasting_[n] = {};
-    if (!kept) continue;
-    const Vec3 tangent = scale * kept->tangentImpulse;
-    lasting_[n] = {scale * kept->normalImpulse, tangent.x(), tangent.y(), tangent.z()};
-  }
-  lasting_[pairCount] = {};
-  touchedIn_[pairCount] = kNever;
-
-  blocksOf_.clear();
-  std::size_t blocks = 0;
-  for (const ContactBatch& batch : batches_.batches()) {
-    blocksOf_.push_back({blocks, 0});
-    blocks += (batch.last - batch.first + kContactLanes - 1) / kContactLanes;
-  }
-  if (blocks_.size() < blocks) blocks_.resize(blocks);
-  if (flights_.size() < blocks) flights_.resize(blocks);
-  arrays_ = {place_.data(),
-             momentum_.data(),
-             flown_.data(),
-             island_.data(),
-             static_cast<std::uint32_t>(count),
-             batches_.pairs().data(),
-             lasting_.data(),
-             touchedIn_.data(),
-             static_cast<std::uint32_t>(pairCount)};
+void Crowd::runSubstep(const CrowdInput& in, double start, ThreadPool& pool) {
+  pool.run([&](int number, Barrier& barrier) {
+    const auto thread = static_cast<std::size_t>(number);
+    StageScope stage(thread == 0 ? clock_ : nullptr, Stage::Flight);
+    fly(in, start, partOf(island_.size(), kFlightBlock, thread, threads_));
+    barrier.wait();
+    stage.next(Stage::Prepare);
+    prepare(thread, barrier);
+    stage.next(Stage::Solve);
+    solve(in.settings, thread, barrier);
+    stage.next(Stage::Push);
+    shift(thread, barrier);
+    pushOut(thread, barrier);
+  });
 }
 
-void Crowd::fly(const PathModel& model, double start, std::span<const std::uint8_t> isLeaning) {
+void Crowd::gather(const CrowdInput& in, const Balls& balls, ThreadPool& pool) {
   const std::size_t count = island_.size();
-  for (std::size_t k = 0; k < count; ++k) {
-    position_[k] = {place_[k].x, place_[k].y, place_[k].z};
-    velocity_[k] = {momentum_[k].vx, momentum_[k].vy, momentum_[k].vz};
-  }
-  flyThrough(*model.integrator, {model.field, start, rules_.h, model.drag}, all_, position_.data(),
-             velocity_.data());
-  for (std::size_t k = 0; k < count; ++k) {
-    Momentum& momentum = momentum_[k];
-    const Vec3 before(momentum.vx, momentum.vy, momentum.vz);
-    if (isLeaning[island_[k]]) {
-      position_[k] = Vec3(place_[k].x, place_[k].y, place_[k].z) + before * rules_.h;
-      velocity_[k] = before;
+  const std::size_t idle = 2 * threads_;
+  makeRoomFor(placeOf_, balls.size());
+  makeRoomFor(place_, count + idle);
+  makeRoomFor(momentum_, count + idle);
+  makeRoomFor(flown_, count + idle);
+  pool.forRanges(count, kLeastBalls, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::uint32_t i = island_[k];
+      const Vec3& x = balls.position[i];
+      const Vec3& v = balls.velocity[i];
+      const Vec3 s = balls.radius[i] * balls.spin[i];
+      placeOf_[i] = static_cast<std::uint32_t>(k);
+      place_[k] = {x.x(), x.y(), x.z(), balls.radius[i]};
+      momentum_[k] = {v.x(), v.y(), v.z(), 1 / balls.mass[i], s.x(), s.y(), s.z(), 0};
     }
-    const Vec3& x = position_[k];
-    const Vec3& v = velocity_[k];
-    const Vec3 gained = v - before;
-    place_[k] = {x.x(), x.y(), x.z(), place_[k].radius};
-    momentum.vx = v.x();
-    momentum.vy = v.y();
-    momentum.vz = v.z();
-    flown_[k] = {v.x(), v.y(), v.z(), 0, gained.x(), gained.y(), gained.z(), 0};
+  });
+  for (std::size_t k = 0; k < idle; ++k) {
+    place_[count + k] = {static_cast<double>(k) * kFarApart, 0, 0, 1};
+    momentum_[count + k] = {.inverseMass = 1};
+    flown_[count + k] = {};
+  }
+
+  const std::span<const BallPair> pairs = in.pairs;
+  batches_.split(pairs, island_, placeOf_);
+  makeRoomFor(lasting_, pairs.size() + threads_);
+  makeRoomFor(touchedIn_, pairs.size() + threads_);
+  makeRoomFor(touching_, pairs.size() + 1);
+  const double scale = in.memory.scaleTo(rules_.h);
+  const auto slots = batches_.slots();
+  pool.forRanges(pairs.size(), kLeastPairs, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t n = begin; n < end; ++n) {
+      const ContactMemory::Kept* const kept = in.memory.find(pairs[n].a, pairs[n].b);
+      touchedIn_[slots[n]] = kept ? 0 : kNever;
+      if (!kept) continue;
+      const Vec3 tangent = scale * kept->tangentImpulse;
+      lasting_[slots[n]] = {scale * kept->normalImpulse, tangent.x(), tangent.y(), tangent.z()};
+    }
+  });
+  for (std::size_t k = 0; k < threads_; ++k) {
+    lasting_[pairs.size() + k] = {};
+    touchedIn_[pairs.size() + k] = kNever;
   }
 }
 
-CrowdSubstep Crowd::prepare() {
-  CrowdSubstep substep;
+/// Where the blocks of each batch are, and who goes through them.
+void Crowd::planBlocks(std::size_t threads) {
+  groups_.clear();
+  firstBlock_.clear();
+  std::size_t blocks = 0;
   const auto batches = batches_.batches();
   for (std::size_t n = 0; n < batches.size(); ++n) {
-    const auto [partner, first, last] = batches[n];
-    const std::size_t count = findTouching(partner, rules_, arrays_, first, last, touching_.data());
-    Blocks& blocks = blocksOf_[n];
-    blocks.count = (count + kContactLanes - 1) / kContactLanes;
-    prepareContacts(partner, rules_, arrays_, std::span(touching_).first(count),
-                    blocks_.data() + blocks.first, flights_.data() + blocks.first, substep);
+    const std::size_t size = batches[n].last - batches[n].first;
+    firstBlock_.push_back(blocks);
+    blocks += (size + kContactLanes - 1) / kContactLanes;
+    const bool isShared = threads > 1 && size >= kLeastPairs;
+    if (!isShared && !groups_.empty() && !groups_.back().isShared)
+      groups_.back().last = n + 1;
+    else
+      groups_.push_back({n, n + 1, isShared});
   }
-  return substep;
+  makeRoomFor(blocks_, blocks);
+  makeRoomFor(flights_, blocks);
+  parts_.assign(batches.size() * threads, {});
+  found_.assign(threads, {});
 }
 
-void Crowd::solve(const Settings& settings, const CrowdSubstep& substep) {
+CrowdArrays Crowd::arraysOf(std::size_t thread) {
+  return {place_.data(),
+          momentum_.data(),
+          flown_.data(),
+          island_.data(),
+          batches_.pairs().data(),
+          lasting_.data(),
+          touchedIn_.data(),
+          static_cast<std::uint32_t>(island_.size() + 2 * thread),
+          static_cast<std::uint32_t>(batches_.pairs().size() + thread)};
+}
+
+void Crowd::fly(const CrowdInput& in, double start, IndexRange range) {
+  FlightBlock block;
+  const Flight flight{in.model.field, start, rules_.h, in.model.drag};
+  for (std::size_t first = range.begin; first < range.end; first += kFlightBlock) {
+    const FlightArrays arrays = block.arrays(std::min(kFlightBlock, range.end - first));
+    for (std::size_t k = 0; k < arrays.count; ++k) {
+      const Place& place = place_[first + k];
+      const Momentum& momentum = momentum_[first + k];
+      arrays.x[k] = place.x;
+      arrays.y[k] = place.y;
+      arrays.z[k] = place.z;
+      arrays.vx[k] = momentum.vx;
+      arrays.vy[k] = momentum.vy;
+      arrays.vz[k] = momentum.vz;
+    }
+    flyThrough(*in.model.integrator, flight, arrays);
+    for (std::size_t k = 0; k < arrays.count; ++k) {
+      Place& place = place_[first + k];
+      Momentum& momentum = momentum_[first + k];
+      Flown& flown = flown_[first + k];
+      if (in.isLeaning[island_[first + k]]) {
+        place.x += momentum.vx * rules_.h;
+        place.y += momentum.vy * rules_.h;
+        place.z += momentum.vz * rules_.h;
+        flown = {.vx = momentum.vx, .vy = momentum.vy, .vz = momentum.vz};
+        continue;
+      }
+      const double vx = arrays.vx[k], vy = arrays.vy[k], vz = arrays.vz[k];
+      flown = {vx, vy, vz, 0, vx - momentum.vx, vy - momentum.vy, vz - momentum.vz, 0};
+      place = {arrays.x[k], arrays.y[k], arrays.z[k], place.radius};
+      momentum.vx = vx;
+      momentum.vy = vy;
+      momentum.vz = vz;
+    }
+  }
+}
+
+template <class Action>
+void Crowd::forEachPart(std::size_t thread, Barrier& barrier, Action action) {
+  const auto batches = batches_.batches();
+  for (const Group& group : groups_) {
+    if (group.isShared || thread == 0)
+      for (std::size_t n = group.first; n < group.last; ++n)
+        action(n, batches[n].partner, parts_[n * threads_ + thread]);
+    barrier.wait();
+  }
+}
+
+// First what touches, where nothing moves yet, into the blocks that the thread fills then.
+void Crowd::prepare(std::size_t thread, Barrier& barrier) {
+  const CrowdArrays arrays = arraysOf(thread);
+  const auto batches = batches_.batches();
+  for (const Group& group : groups_) {
+    if (!group.isShared && thread > 0) continue;
+    for (std::size_t n = group.first; n < group.last; ++n) {
+      const auto [partner, first, last] = batches[n];
+      const IndexRange range = group.isShared
+                                   ? partOf(last - first, kContactLanes, thread, threads_)
+                                   : IndexRange{0, last - first};
+      Part& part = parts_[n * threads_ + thread];
+      part.first = firstBlock_[n] + range.begin / kContactLanes;
+      part.count = findTouching(
+          partner, rules_, arrays, first + static_cast<std::uint32_t>(range.begin),
+          first + static_cast<std::uint32_t>(range.end), touching_.data() + first + range.begin);
+    }
+  }
+  Found& found = found_[thread];
+  found = {};
+  forEachPart(thread, barrier, [&](std::size_t n, PartnerKind partner, Part& part) {
+    const std::size_t from = batches[n].first + (part.first - firstBlock_[n]) * kContactLanes;
+    const auto touching = std::span(touching_).subspan(from, part.count);
+    prepareContacts(partner, rules_, arrays, touching, blocks_.data() + part.first,
+                    flights_.data() + part.first, found.substep);
+    part.count = (part.count + kContactLanes - 1) / kContactLanes;  // blocks, from now on
+  });
+}
+
+CrowdSubstep Crowd::substepOfAll() const {
+  CrowdSubstep all;
+  for (const Found& found : found_) {
+    all.anyImpact = all.anyImpact || found.substep.anyImpact;
+    all.builtUp = std::max(all.builtUp, found.substep.builtUp);
+  }
+  return all;
+}
+
+void Crowd::solve(const Settings& settings, std::size_t thread, Barrier& barrier) {
+  const CrowdArrays arrays = arraysOf(thread);
+  const CrowdSubstep substep = substepOfAll();
   const bool rests = !substep.anyImpact;
+  const Watch watch = rests ? Watch::Changes : Watch::No;
   const int most = rests ? std::max(settings.iterations, kPassesAtRest) : settings.iterations;
   for (int pass = 0; pass < most; ++pass) {
-    double changed = 0;
-    forEachBatch([&](PartnerKind partner, std::span<ContactBlock> blocks, const ContactFlight*) {
-      const Watch watch = rests ? Watch::Changes : Watch::No;
-      changed = std::max(changed, solveContacts(partner, watch, rules_, arrays_, blocks));
+    // The other parity may still be read by a thread that is late.
+    double& changed = found_[thread].changed[pass % 2];
+    changed = 0;
+    forEachPart(thread, barrier, [&](std::size_t, PartnerKind partner, const Part& part) {
+      changed = std::max(changed, solveContacts(partner, watch, rules_, arrays, blocksOf(part)));
     });
-    if (rests && !(changed > kSolved * substep.builtUp)) return;
+    if (!rests) continue;
+    double most_changed = 0;
+    for (const Found& found : found_)
+      most_changed = std::max(most_changed, found.changed[pass % 2]);
+    if (!(most_changed > kSolved * substep.builtUp)) return;
   }
 }
 
-void Crowd::shift() {
-  forEachBatch([&](PartnerKind partner, std::span<ContactBlock> blocks, const ContactFlight* f) {
-    shiftByForces(partner, rules_, arrays_, blocks, f);
+void Crowd::shift(std::size_t thread, Barrier& barrier) {
+  const CrowdArrays arrays = arraysOf(thread);
+  forEachPart(thread, barrier, [&](std::size_t, PartnerKind partner, const Part& part) {
+    shiftByForces(partner, rules_, arrays, blocksOf(part), flights_.data() + part.first);
   });
 }
 
-void Crowd::pushOut() {
-  forEachBatch([&](PartnerKind partner, std::span<ContactBlock> blocks, const ContactFlight*) {
-    pushOverlapsOut(partner, rules_, arrays_, blocks);
+void Crowd::pushOut(std::size_t thread, Barrier& barrier) {
+  const CrowdArrays arrays = arraysOf(thread);
+  forEachPart(thread, barrier, [&](std::size_t, PartnerKind partner, const Part& part) {
+    pushOverlapsOut(partner, rules_, arrays, blocksOf(part));
   });
+  if (thread == 0 && isLastSubstep_) keepInArena();
 }
 
-void Crowd::scatter(Balls& balls) const {
-  for (std::size_t k = 0; k < island_.size(); ++k) {
+// Whoever was pushed into ground or wall by others, or would leave it by itself later: at the end
+// of a step the arena is not entered.
+void Crowd::keepInArena() {
+  for (const ContactBatch& batch : batches_.batches()) {
+    if (batch.partner == PartnerKind::Ball) continue;
+    for (const IndexPair& pair : batches_.pairs().subspan(batch.first, batch.last - batch.first)) {
+      Place& at = place_[pair.a];
+      const double left = kLeftOverlap * at.radius;
+      if (batch.partner == PartnerKind::Ground) {
+        at.y = std::max(at.y, rules_.arena.center.y() + at.radius - left);
+        continue;
+      }
+      const double x = at.x - rules_.arena.center.x();
+      const double z = at.z - rules_.arena.center.z();
+      const double fromAxis = std::sqrt(x * x + z * z);
+      const double most = rules_.arena.radius - at.radius + left;
+      if (fromAxis <= most || most < 0) continue;
+      at.x = rules_.arena.center.x() + x * (most / fromAxis);
+      at.z = rules_.arena.center.z() + z * (most / fromAxis);
+    }
+  }
+}
+
+void Crowd::scatter(Balls& balls, IndexRange range) const {
+  for (std::size_t k = range.begin; k < range.end; ++k) {
     const Place& x = place_[k];
     const Momentum& m = momentum_[k];
     const std::uint32_t i = island_[k];
-    balls.setState(i,
-                   {{x.x, x.y, x.z}, {m.vx, m.vy, m.vz}, Vec3(m.sx, m.sy, m.sz) / balls.radius[i]});
+    balls.position[i] = {x.x, x.y, x.z};
+    balls.velocity[i] = {m.vx, m.vy, m.vz};
+    balls.spin[i] = Vec3(m.sx, m.sy, m.sz) / x.radius;
   }
 }
 
 void Crowd::keep(std::span<const BallPair> pairs, ContactMemory& memory) const {
-  const auto source = batches_.source();
-  for (std::size_t n = 0; n < source.size(); ++n) {
-    const LastingImpulse& lasting = lasting_[n];
-    if (touchedIn_[n] != rules_.substep || !(lasting.normal > 0)) continue;
-    const auto [a, b] = pairs[source[n]];
-    memory.add({a, b, lasting.normal, {lasting.tx, lasting.ty, lasting.tz}, Vec3::Zero()});
+  const auto slots = batches_.slots();
+  for (std::size_t n = 0; n < pairs.size(); ++n) {
+    const std::uint32_t slot = slots[n];
+    const LastingImpulse& lasting = lasting_[slot];
+    if (touchedIn_[slot] != rules_.substep || !(lasting.normal > 0)) continue;
+    memory.add({pairs[n].a,
+                pairs[n].b,
+                lasting.normal,
+                {lasting.tx, lasting.ty, lasting.tz},
+                Vec3::Zero()});
   }
 }
 

@@ -1,66 +1,95 @@
 // One island of many balls through a step, in substeps: the physics of advance.h, laid out for
 // speed. Balls are copied into small records in the order of the island, contacts are split into
-// batches that share no ball, and vector kernels solve a batch side by side.
+// batches that share no ball, and vector kernels solve a batch side by side, in as many threads as
+// there are. The bits depend neither on the instruction set nor on the number of threads.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "broadphase/broadphase.h"
+#include "broadphase/ball_pair.h"
 #include "contacts/contact_batches.h"
 #include "contacts/crowd_kernels.h"
 #include "contacts/ledger.h"
 #include "contacts/path.h"
+#include "contacts/spatial_order.h"
 #include "state/books.h"
 #include "state/stage_clock.h"
 #include "state/world.h"
+#include "threads/thread_pool.h"
 #include "world/contact_memory.h"
 
 namespace wells {
 
+/// An island, and what its step depends on.
+struct CrowdInput {
+  const Settings& settings;
+  const PathModel& model;
+  std::span<const std::uint32_t> island;
+  std::span<const BallPair> pairs;  // that may touch within the step, those with the arena last
+  std::span<const std::uint8_t> isLeaning;  // by ball of the world; ghosts that drift
+  const ContactMemory& memory;
+};
+
 class Crowd {
  public:
-  /// Advances the balls of the island by settings.dt. `pairs` (all that may touch within the step,
-  /// those with the arena last) start from the impulses of `memory`. Ghosts with isLeaning[ball]
-  /// move on at their velocity. Books it unless `books` is null.
-  void step(const Settings& settings, const PathModel& model, std::span<const std::uint32_t> island,
-            std::span<const BallPair> pairs, std::span<const std::uint8_t> isLeaning,
-            const ContactMemory& memory, Balls& balls, Books* books);
+  /// Advances the balls of the island by settings.dt. Books it unless `books` is null.
+  void step(const CrowdInput& in, Balls& balls, ThreadPool& pool, Books* books);
+
+  /// Adds the contacts that lasted to the end of the last step, in the order of the pairs.
+  void keep(std::span<const BallPair> pairs, ContactMemory& memory) const;
 
   /// Null: none.
   void setClock(StageClock* clock) { clock_ = clock; }
 
-  /// Adds the contacts that lasted to the end of the last step.
-  void keep(std::span<const BallPair> pairs, ContactMemory& memory) const;
-
  private:
-  void gather(const Settings& settings, std::span<const BallPair> pairs,
-              const ContactMemory& memory, const Balls& balls);
-  void fly(const PathModel& model, double start, std::span<const std::uint8_t> isLeaning);
-  CrowdSubstep prepare();
-  void solve(const Settings& settings, const CrowdSubstep& substep);
-  void shift();
-  void pushOut();
-  void scatter(Balls& balls) const;
-  /// Calls action(partner, blocks of the batch, their flights).
+  /// Blocks of one batch that one thread has filled.
+  struct Part {
+    std::size_t first = 0;
+    std::size_t count = 0;
+  };
+  /// Batches that one thread goes through alone, or one that all share.
+  struct Group {
+    std::size_t first;
+    std::size_t last;
+    bool isShared;
+  };
+  /// What a thread found; on a cache line of its own.
+  struct alignas(64) Found {
+    CrowdSubstep substep;
+    double changed[2] = {0, 0};  // m/s, by parity of the pass
+  };
+
+  void gather(const CrowdInput& in, const Balls& balls, ThreadPool& pool);
+  void planBlocks(std::size_t threads);
+  CrowdArrays arraysOf(std::size_t thread);
+  // By all threads.
+  void runSubstep(const CrowdInput& in, double start, ThreadPool& pool);
+  void fly(const CrowdInput& in, double start, IndexRange range);
+  void prepare(std::size_t thread, Barrier& barrier);
+  void solve(const Settings& settings, std::size_t thread, Barrier& barrier);
+  void shift(std::size_t thread, Barrier& barrier);
+  void pushOut(std::size_t thread, Barrier& barrier);
+  void keepInArena();
+  /// Calls action(partner, part) for each part that is the thread's, batch after batch.
   template <class Action>
-  void forEachBatch(Action action) {
-    const auto batches = batches_.batches();
-    for (std::size_t n = 0; n < batches.size(); ++n) {
-      const Blocks& blocks = blocksOf_[n];
-      action(batches[n].partner, std::span(blocks_).subspan(blocks.first, blocks.count),
-             flights_.data() + blocks.first);
-    }
+  void forEachPart(std::size_t thread, Barrier& barrier, Action action);
+  std::span<ContactBlock> blocksOf(const Part& part) {
+    return std::span(blocks_).subspan(part.first, part.count);
   }
+  CrowdSubstep substepOfAll() const;
+  void scatter(Balls& balls, IndexRange range) const;
+  void scatter(Balls& balls) const { scatter(balls, {0, island_.size()}); }
 
   // Booking (crowd_books.cpp), from states between the parts of a substep; `balls` get these.
   struct Booking {
     double kineticEnergy = 0;  // J
     Placement placement;
   };
-  void bookFlights(const PathModel& model, double start, std::span<const std::uint8_t> isLeaning,
-                   Balls& balls, Books& books) const;
+  void runBookedSubstep(const CrowdInput& in, double start, ThreadPool& pool, Balls& balls,
+                        Books& books);
+  void bookFlights(const CrowdInput& in, double start, Balls& balls, Books& books) const;
   Booking bookingOf(const PathModel& model, double time, Balls& balls) const;
   /// What the impulses did to momentum, and the work of the normal ones.
   Books booksOfImpulses(const PathModel& model, const Balls& balls);
@@ -68,29 +97,28 @@ class Crowd {
                    const Booking& pushed, Books impulses, Books& books) const;
 
   StageClock* clock_ = nullptr;
-  std::span<const std::uint32_t> island_;
+  SpatialOrder order_;
+  std::span<const std::uint32_t> island_;  // in that order
   CrowdRules rules_;
-  CrowdArrays arrays_;
+  bool isLastSubstep_ = false;
+  std::size_t threads_ = 1;
   std::vector<std::uint32_t> placeOf_;  // by ball of the world, in the island
-  // By ball of the island, and two more (see CrowdArrays).
+  // By ball of the island, then the idle ones.
   std::vector<Place> place_;
   std::vector<Momentum> momentum_;
   std::vector<Flown> flown_;
-  std::vector<Vec3> position_, velocity_;  // as flights take them
-  std::vector<std::uint32_t> all_;
-  // By pair.
+  // By pair in the order of the batches, then the idle ones.
   ContactBatches batches_;
   std::vector<LastingImpulse> lasting_;
   std::vector<std::uint32_t> touchedIn_;
   std::vector<std::uint32_t> touching_;
-  // By batch, then as many as touch.
-  struct Blocks {
-    std::size_t first;
-    std::size_t count;
-  };
-  std::vector<Blocks> blocksOf_;
+  // By batch.
+  std::vector<Group> groups_;
+  std::vector<Part> parts_;  // of each batch, by thread
+  std::vector<std::size_t> firstBlock_;
   std::vector<ContactBlock> blocks_;
   std::vector<ContactFlight> flights_;
+  std::vector<Found> found_;  // by thread
 };
 
 }  // namespace wells

@@ -12,13 +12,40 @@ constexpr std::uint32_t partnerOf(PartnerKind kind) {
 
 }  // namespace
 
-void Crowd::bookFlights(const PathModel& model, double start,
-                        std::span<const std::uint8_t> isLeaning, Balls& balls, Books& books) const {
+// As runSubstep() has it, with a look at the state after each part.
+void Crowd::runBookedSubstep(const CrowdInput& in, double start, ThreadPool& pool, Balls& balls,
+                             Books& books) {
+  const double end = start + rules_.h;
+  const auto inAllThreads = [&](auto part) {
+    pool.run(
+        [&](int thread, Barrier& barrier) { part(static_cast<std::size_t>(thread), barrier); });
+    return bookingOf(in.model, end, balls);
+  };
+  StageScope stage(clock_, Stage::Books);
+  bookFlights(in, start, balls, books);
+  stage.next(Stage::Flight);
+  fly(in, start, {0, island_.size()});
+  const Booking flown = bookingOf(in.model, end, balls);
+  stage.next(Stage::Solve);
+  const Booking solved = inAllThreads([&](std::size_t thread, Barrier& barrier) {
+    prepare(thread, barrier);
+    solve(in.settings, thread, barrier);
+  });
+  const Books impulses = booksOfImpulses(in.model, balls);
+  stage.next(Stage::Push);
+  const Booking shifted =
+      inAllThreads([&](std::size_t thread, Barrier& barrier) { shift(thread, barrier); });
+  const Booking pushed =
+      inAllThreads([&](std::size_t thread, Barrier& barrier) { pushOut(thread, barrier); });
+  bookSubstep(flown, solved, shifted, pushed, impulses, books);
+}
+
+void Crowd::bookFlights(const CrowdInput& in, double start, Balls& balls, Books& books) const {
   scatter(balls);
-  const Ledger ledger{&books, model.arena->center};
+  const Ledger ledger{&books, in.model.arena->center};
   for (const std::uint32_t i : island_)
-    if (!isLeaning[i])
-      bookPath(ledger, model, {balls.state(i), start, balls.radius[i]}, balls.mass[i],
+    if (!in.isLeaning[i])
+      bookPath(ledger, in.model, {balls.state(i), start, balls.radius[i]}, balls.mass[i],
                start + rules_.h);
 }
 
@@ -38,17 +65,18 @@ Crowd::Booking Crowd::bookingOf(const PathModel& model, double time, Balls& ball
 Books Crowd::booksOfImpulses(const PathModel& model, const Balls& balls) {
   Books books;
   const Ledger ledger{&books, model.arena->center};
-  forEachBatch([&](PartnerKind kind, std::span<ContactBlock> blocks, const ContactFlight* flights) {
-    for (std::size_t n = 0; n < blocks.size(); ++n) {
-      const ContactBlock& block = blocks[n];
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    const PartnerKind kind = batches_.batches()[p / threads_].partner;
+    for (std::size_t n = parts_[p].first; n < parts_[p].first + parts_[p].count; ++n) {
+      const ContactBlock& block = blocks_[n];
       for (std::size_t lane = 0; lane < block.count; ++lane) {
         Contact c{.a = island_[block.a[lane]],
                   .b = kind == PartnerKind::Ball ? island_[block.b[lane]] : partnerOf(kind),
                   .normal = {block.nx[lane], block.ny[lane], block.nz[lane]},
-                  .gap = flights[n].gap[lane],
-                  .impact = flights[n].lasts[lane] == 0,
-                  .builtUp = flights[n].builtUp[lane],
-                  .closingFlown = flights[n].closing[lane],
+                  .gap = flights_[n].gap[lane],
+                  .impact = flights_[n].lasts[lane] == 0,
+                  .builtUp = flights_[n].builtUp[lane],
+                  .closingFlown = flights_[n].closing[lane],
                   .normalImpulse = block.normal[lane],
                   .tangentImpulse = {block.tx[lane], block.ty[lane], block.tz[lane]}};
         c.share = shareAlone(c, balls);
@@ -62,7 +90,7 @@ Books Crowd::booksOfImpulses(const PathModel& model, const Balls& balls) {
         }
       }
     }
-  });
+  }
   return books;
 }
 

@@ -262,8 +262,9 @@ class Simulation : public Stepper {
     for (std::size_t n = 0; n < islands_.count(); ++n) {
       const auto island = islands_.balls(n);
       if (isIslandDone_[n] || island.size() <= kCrowd) continue;
-      crowd_.step(world.settings, input.model, island, islands_.pairs(n), candidates_.isLeaning(),
-                  contactMemory_, world.balls, keeper_.books() ? &stepBooks_ : nullptr);
+      crowd_.step({world.settings, input.model, island, islands_.pairs(n), candidates_.isLeaning(),
+                   contactMemory_},
+                  world.balls, *pool_, keeper_.books() ? &stepBooks_ : nullptr);
       crowd_.keep(islands_.pairs(n), nextMemory_);
       counts_.substepBalls += static_cast<std::int64_t>(island.size());
       markDone(n);
@@ -281,9 +282,12 @@ class Simulation : public Stepper {
   std::size_t enlargeReaches(const World& world) {
     const Balls& balls = world.balls;
     std::size_t enlarged = 0;
-    for (const std::uint32_t i : sleep_.awake())
+    for (const std::uint32_t i : sleep_.awake()) {
+      const double squared = squaredLength(balls.position[i] - start_[i].position);
+      if (squared < kSurelyWithin * reach_[i] * reach_[i]) continue;
       if (isBeyondReach(start_[i].position, balls.state(i), world.settings.dt, reach_[i]))
         ++enlarged;
+    }
     return enlarged;
   }
 
@@ -364,6 +368,7 @@ class Simulation : public Stepper {
   }
 
   static constexpr std::size_t kLeastRange = 256;  // balls, in which a thread prepares
+  static constexpr double kSurelyWithin = 0.999;   // of the square of a reach
   static constexpr double kLateOverlap = 1e-6;     // of the sum of radii
   static constexpr std::int64_t kNoStep = -2;
 

@@ -86,6 +86,7 @@ void Sleep::wakeAll(const World& world, ContactMemory& memory) {
   group_.assign(size, kAwake);
   steps_.assign(size, 0);
   early_.assign(size, 0);
+  slow_.clear();
   position_.resize(size);
   acceleration_.resize(size);
   isGhost_.resize(size);
@@ -100,6 +101,7 @@ void Sleep::makeRoom(std::size_t size) {
   ahead_.resize(size);
   island_.resize(size);
   rest_.resize(size);
+  slow_.reserve(size);
 }
 
 void Sleep::wakeChanged(const World& world) {
@@ -232,8 +234,8 @@ void Sleep::end(World& world, const Field& field, const Candidates& candidates, 
   }
   // What has settled at a steady creep does not gather speed any more.
   const std::uint32_t needed = restSteps(world.settings.dt);
-  for (const std::uint32_t i : awake_) {
-    if (steps_[i] < 2 * needed) continue;
+  for (const std::uint32_t i : slow_) {
+    if (group_[i] != kAwake || steps_[i] < 2 * needed) continue;
     steps_[i] = needed;
     early_[i] = speed_[i];
   }
@@ -243,15 +245,30 @@ void Sleep::end(World& world, const Field& field, const Candidates& candidates, 
   wells_ = field.wells;
 }
 
+// Most balls of a world that moves are too fast, and are only looked at.
+void Sleep::findSlow(const World& world) {
+  const double most = world.settings.sleepSpeed * world.settings.sleepSpeed;
+  const auto isFast = [&](std::uint32_t i) {
+    return squaredLength(world.balls.velocity[i]) > most;  // not so what is not a number
+  };
+  for (const std::uint32_t i : slow_)
+    if (group_[i] == kAwake && isFast(i)) steps_[i] = 0;
+  slow_.clear();
+  for (const std::uint32_t i : awake_)
+    if (!isFast(i)) slow_.push_back(i);
+}
+
 bool Sleep::anyHasRested(const World& world, const ContactMemory& memory) {
-  for (const std::uint32_t i : awake_) isPressed_[i] = 0;
+  findSlow(world);
+  if (slow_.empty()) return false;
+  for (const std::uint32_t i : slow_) isPressed_[i] = 0;
   for (const StepperMemory::Contact& c : memory.contacts()) {
     isPressed_[c.a] = 1;
     if (isBall(c.b)) isPressed_[c.b] = 1;
   }
   const std::uint32_t needed = restSteps(world.settings.dt);
   bool anyHas = false;
-  for (const std::uint32_t i : awake_) {
+  for (const std::uint32_t i : slow_) {
     speed_[i] = speedOf(world.balls, i);
     // What is not finite is named after each step, and does not rest.
     if (!(speed_[i] <= (isPressed_[i] ? world.settings.sleepSpeed : 0)) ||
@@ -290,6 +307,10 @@ void Sleep::findIslands(const World& world, const Field& field, const Candidates
   const std::uint32_t needed = restSteps(dt);
   for (const std::uint32_t i : awake_) {
     Rest& rest = rest_[rootOf(island_, i)];
+    if (steps_[i] == 0) {
+      rest.isLong = false;
+      continue;
+    }
     rest.isLong = rest.isLong && steps_[i] >= needed;
     rest.now = std::max(rest.now, speed_[i]);
     rest.early = std::max(rest.early, early_[i]);
@@ -353,11 +374,14 @@ void Sleep::restore(const StepperMemory::Rest& rest, ContactMemory& contacts) {
   isGhost_ = rest.isGhost;
   const std::size_t size = group_.size();
   makeRoom(size);
+  slow_.clear();
   for (std::uint32_t i = 0; i < size; ++i) {
-    if (group_[i] == kAwake)
-      awake_.push_back(i);
-    else
+    if (group_[i] != kAwake) {
       groups_[group_[i]].balls.push_back(i);
+      continue;
+    }
+    awake_.push_back(i);
+    if (steps_[i] > 0) slow_.push_back(i);
   }
   takeContacts(contacts);
 }

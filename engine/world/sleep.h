@@ -102,6 +102,8 @@ class Sleep {
   void finishWaking(ContactMemory& memory);
   void giveBack(ContactMemory& memory);
 
+  /// Sets slow_, and steps_ of those that were slow and are not.
+  void findSlow(const World& world);
   bool anyHasRested(const World& world, const ContactMemory& memory);
   void findIslands(const World& world, const Field& field, const Candidates& candidates,
                    const ContactMemory& memory);
@@ -118,7 +120,7 @@ class Sleep {
   std::vector<std::uint8_t> isGhost_;  // asleep: it was one then
   // Scratch, by ball; of those awake alone.
   std::vector<std::uint8_t> isPressed_;
-  std::vector<double> speed_;          // m/s
+  std::vector<double> speed_;          // m/s, of those slow
   std::vector<double> ahead_;          // m, that it may get in a step
   std::vector<std::uint32_t> island_;  // union-find
   struct Rest {
@@ -130,6 +132,7 @@ class Sleep {
   std::vector<Rest> rest_;  // of the island, at its root
 
   std::vector<std::uint32_t> awake_;
+  std::vector<std::uint32_t> slow_;  // of the last end(): all others that are awake have not rested
   std::map<std::uint32_t, Group> groups_;  // by lowest ball
   RestingBoxes boxes_;                     // of those asleep
   std::vector<Well> wells_;                // when those asleep were last looked at

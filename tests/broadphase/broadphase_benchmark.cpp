@@ -46,8 +46,8 @@ const Motion& motionOf(const std::string& scene, std::int64_t balls) {
       updateField(world, world.step, field);
       Frame frame{world.balls.position, world.balls.velocity, {}};
       for (std::size_t i = 0; i < world.balls.size(); ++i)
-        frame.reach.push_back(reachOf(field, world.balls.state(i), world.balls.radius[i],
-                                      world.settings.dt));
+        frame.reach.push_back(
+            reachOf(field, world.balls.state(i), world.balls.radius[i], world.settings.dt));
       motion.frames.push_back(std::move(frame));
     }
     simulation->step(world);
@@ -102,9 +102,9 @@ void bullets(benchmark::State& state, const std::string& scene, btBroadphaseInte
     return btVector3(x.x() + sign * half, x.y() + sign * half, x.z() + sign * half);
   };
   for (std::size_t i = 0; i < proxies.size(); ++i)
-    proxies[i] = broadphase.createProxy(corner(motion.frames[0], i, -1, skin),
-                                        corner(motion.frames[0], i, 1, skin), 0, nullptr, 1, 1,
-                                        nullptr);
+    proxies[i] =
+        broadphase.createProxy(corner(motion.frames[0], i, -1, skin),
+                               corner(motion.frames[0], i, 1, skin), 0, nullptr, 1, 1, nullptr);
   replay(state, motion, [&](const Frame& frame) {
     for (std::size_t i = 0; i < proxies.size(); ++i) {
       const btVector3 low = corner(frame, i, -1, 0);
@@ -117,8 +117,7 @@ void bullets(benchmark::State& state, const std::string& scene, btBroadphaseInte
                            nullptr);
     }
     broadphase.calculateOverlappingPairs(nullptr);
-    return static_cast<std::size_t>(
-        broadphase.getOverlappingPairCache()->getNumOverlappingPairs());
+    return static_cast<std::size_t>(broadphase.getOverlappingPairCache()->getNumOverlappingPairs());
   });
   broadphase.getOverlappingPairCache()->getOverlappingPairArray().clear();
   for (auto* const proxy : proxies) broadphase.destroyProxy(proxy, nullptr);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -37,6 +38,7 @@ void expectComplete(const World& world, const std::vector<double>& reach, const 
   Pairs listed;
   for (const BallPair& pair : found.ballPairs()) {
     EXPECT_LT(pair.a, pair.b);
+    EXPECT_TRUE(listed.empty() || *listed.rbegin() < std::pair(pair.a, pair.b)) << "not in order";
     EXPECT_TRUE(listed.emplace(pair.a, pair.b).second) << "pair listed twice";
   }
   for (const auto& pair : bruteForce(world, reach))
@@ -66,6 +68,19 @@ World randomWorld(std::size_t balls, double smallest, double largest, const Vec3
   return world;
 }
 
+/// Both kinds, by name.
+class EachBroadphase : public testing::TestWithParam<BroadphaseKind> {
+ protected:
+  World withKind(World world) const {
+    world.settings.broadphase = GetParam();
+    return world;
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Broadphase, EachBroadphase,
+                         testing::Values(BroadphaseKind::Tree, BroadphaseKind::Grid),
+                         [](const auto& kind) { return std::string(name(kind.param)); });
+
 /// Moves the balls about and compares at every step, so that boxes are kept, left and made anew.
 void expectCompleteWhileMoving(World world, std::uint64_t seed) {
   Random random(seed);
@@ -85,26 +100,29 @@ void expectCompleteWhileMoving(World world, std::uint64_t seed) {
   }
 }
 
-TEST(Broadphase, MissesNothingAmongEqualBalls) {
-  expectCompleteWhileMoving(randomWorld(300, 0.5, 0.5, {0, 0, 0}, 1), 2);
+TEST_P(EachBroadphase, MissesNothingAmongEqualBalls) {
+  expectCompleteWhileMoving(withKind(randomWorld(300, 0.5, 0.5, {0, 0, 0}, 1)), 2);
 }
 
-TEST(Broadphase, MissesNothingWithRadiiOneToAHundred) {
-  expectCompleteWhileMoving(randomWorld(200, 0.02, 2, {0, 0, 0}, 3), 4);
+TEST_P(EachBroadphase, MissesNothingWithRadiiOneToAHundred) {
+  expectCompleteWhileMoving(withKind(randomWorld(200, 0.02, 2, {0, 0, 0}, 3)), 4);
 }
 
-TEST(Broadphase, MissesNothingFarFromTheOrigin) {
-  expectCompleteWhileMoving(randomWorld(200, 0.5, 0.5, {1e6, -2e6, 3e6}, 5), 6);
+TEST_P(EachBroadphase, MissesNothingFarFromTheOrigin) {
+  for (const double far : {1e6, 1e9})
+    expectCompleteWhileMoving(withKind(randomWorld(200, 0.5, 0.5, {far, -2 * far, 3 * far}, 5)), 6);
 }
 
-TEST(Broadphase, MissesNothingWhenAllAreInOnePlace) {
-  World world = randomWorld(120, 0.5, 0.5, {0, 0, 0}, 7);
+TEST_P(EachBroadphase, MissesNothingWhenAllAreInOnePlace) {
+  World world = withKind(randomWorld(120, 0.5, 0.5, {0, 0, 0}, 7));
   for (Vec3& x : world.balls.position) x = {1, 1, 1};
   expectCompleteWhileMoving(world, 8);
 }
 
-TEST(Broadphase, TouchesOnlyProxiesThatLeaveTheirBoxes) {
-  World world = randomWorld(100, 0.5, 0.5, {0, 0, 0}, 9);
+// The tree sets those boxes anew that are left, the grid all if one is left.
+TEST_P(EachBroadphase, TouchesProxiesOnlyWhenABoxIsLeft) {
+  const bool isTree = GetParam() == BroadphaseKind::Tree;
+  World world = withKind(randomWorld(100, 0.5, 0.5, {0, 0, 0}, 9));
   const std::vector<double> reach(100, 0.1);
   Broadphase broadphase;
   broadphase.update(world, reach, allOf(world));
@@ -114,11 +132,11 @@ TEST(Broadphase, TouchesOnlyProxiesThatLeaveTheirBoxes) {
   EXPECT_EQ(broadphase.moved(), 0);
   world.balls.position[7].x() += 1;
   broadphase.update(world, reach, allOf(world));
-  EXPECT_EQ(broadphase.moved(), 1);
+  EXPECT_EQ(broadphase.moved(), isTree ? 1 : 100);
 }
 
-TEST(Broadphase, LeavesOutWhatIsNotFiniteAndTakesItBack) {
-  World world = randomWorld(50, 0.5, 0.5, {0, 0, 0}, 11);
+TEST_P(EachBroadphase, LeavesOutWhatIsNotFiniteAndTakesItBack) {
+  World world = withKind(randomWorld(50, 0.5, 0.5, {0, 0, 0}, 11));
   const std::vector<double> reach(50, 0.1);
   Broadphase broadphase;
   broadphase.update(world, reach, allOf(world));
@@ -132,10 +150,10 @@ TEST(Broadphase, LeavesOutWhatIsNotFiniteAndTakesItBack) {
   expectComplete(world, reach, broadphase);
 }
 
-TEST(Broadphase, StartsAfreshWhenTheWorldIsAnother) {
+TEST_P(EachBroadphase, StartsAfreshWhenTheWorldIsAnother) {
   Broadphase broadphase;
   for (const std::size_t count : {20u, 40u, 10u}) {
-    const World world = randomWorld(count, 0.5, 0.5, {double(count), 0, 0}, count);
+    const World world = withKind(randomWorld(count, 0.5, 0.5, {double(count), 0, 0}, count));
     const std::vector<double> reach(count, 0.2);
     broadphase.update(world, reach, allOf(world));
     expectComplete(world, reach, broadphase);
@@ -143,8 +161,8 @@ TEST(Broadphase, StartsAfreshWhenTheWorldIsAnother) {
 }
 
 // Balls that are removed are in no pair, few or many at once; they may come back.
-TEST(Broadphase, LeavesOutWhatWasRemoved) {
-  const World world = randomWorld(300, 0.3, 0.6, Vec3::Zero(), 4);
+TEST_P(EachBroadphase, LeavesOutWhatWasRemoved) {
+  const World world = withKind(randomWorld(300, 0.3, 0.6, Vec3::Zero(), 4));
   const std::vector<double> reach(300, 0.2);
   Broadphase broadphase;
   broadphase.update(world, reach, allOf(world));

@@ -94,6 +94,24 @@ TEST(StayApart, IsSoAtAnyTime) {
   EXPECT_GT(apart, 3 * open / 4);
 }
 
+// The test above would notice a bound on the pull that does not hold.
+TEST(StayApart, IsNotSoWithABoundThatIsTooSmall) {
+  Random random(2);
+  int wrong = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const Flights flights(random);
+    const auto& [a, b] = flights.paths;
+    const double from = std::max(a.start, b.start);
+    if (!stayApart(flights.model, {&a, 0}, {&b, 0}, from, kStep)) continue;
+    const double least = Flights::least(from, [&](double t) {
+      const Vec3 d = stateAt(flights.model, a, t).position - stateAt(flights.model, b, t).position;
+      return length(d) - a.radius - b.radius;
+    });
+    wrong += least > 0 ? 0 : 1;
+  }
+  EXPECT_GT(wrong, 0);
+}
+
 TEST(StaysOff, IsSoAtAnyTime) {
   Random random(3);
   for (const std::uint32_t partner : {kGround, kWall}) {

@@ -58,7 +58,8 @@ inline Snapshot anySnapshot(std::uint64_t seed, std::size_t balls) {
       .substeps = static_cast<int>(5 + random.below(100)),
       .iterations = static_cast<int>(200 + random.below(100)),
       .mostImpacts = static_cast<std::int64_t>(random.below(1u << 20)) + (1ll << 40),
-      .sleepSpeed = random.uniform(0.1, 0.7)};
+      .sleepSpeed = random.uniform(0.1, 0.7),
+      .broadphase = random.below(2) == 1 ? BroadphaseKind::Tree : BroadphaseKind::Grid};
   world.arena = {.center = 100 * random.direction(), .radius = random.uniform(50, 90)};
   for (int t = 0; t < 3; ++t) {
     WellTrack& track = world.tracks.emplace_back();
@@ -145,6 +146,7 @@ inline void expectSame(const Snapshot& a, const Snapshot& b) {
   EXPECT_EQ(s.iterations, t.iterations);
   EXPECT_EQ(s.mostImpacts, t.mostImpacts);
   EXPECT_TRUE(same(s.sleepSpeed, t.sleepSpeed));
+  EXPECT_EQ(s.broadphase, t.broadphase);
   EXPECT_TRUE(same(a.world.arena.center, b.world.arena.center));
   EXPECT_TRUE(same(a.world.arena.radius, b.world.arena.radius));
   EXPECT_TRUE(same(a.world.tracks, b.world.tracks));

@@ -116,7 +116,7 @@ TEST(Restart, HasTheBitsOfAnUninterruptedRun) {
     for (Case c : cases()) {
       SCOPED_TRACE(name(method));
       c.world.settings.contactMethod = method;
-      expectSameBits(c, makeSimulation);
+      expectSameBits(c, [] { return makeSimulation(); });
     }
   }
 }

@@ -37,6 +37,19 @@ TEST(Simulation, ResultDoesNotDependOnTheHistoryOfTheBroadphase) {
   }
 }
 
+TEST(Simulation, ResultDoesNotDependOnTheKindOfBroadphase) {
+  for (const auto& [name, balls] : {std::pair{"T1", 400}, {"T2", 300}, {"template", 25}}) {
+    World world = makeScene(findScene(name), static_cast<std::size_t>(balls));
+    std::uint64_t hashes[3] = {};
+    for (const auto kind : {BroadphaseKind::Auto, BroadphaseKind::Tree, BroadphaseKind::Grid}) {
+      world.settings.broadphase = kind;
+      hashes[static_cast<int>(kind)] = hashAfter(world, 150);
+    }
+    EXPECT_EQ(hashes[0], hashes[1]) << name;
+    EXPECT_EQ(hashes[0], hashes[2]) << name;
+  }
+}
+
 TEST(Simulation, NoPairComesTooLate) {
   for (const auto& [name, balls] : {std::pair{"T1", 1000}, {"T2", 1000}, {"template", 200}}) {
     World world = makeScene(findScene(name), static_cast<std::size_t>(balls));

@@ -1,9 +1,10 @@
-// The same bits for any number of threads.
+// The same bits for any number of threads, on each instruction set of this processor.
 #include <gtest/gtest.h>
 
 #include <vector>
 
 #include "math/hash.h"
+#include "math/instruction_set.h"
 #include "scenes/catalogue.h"
 #include "world/measures.h"
 #include "world/simulation.h"
@@ -36,9 +37,15 @@ std::vector<std::uint64_t> hashesOf(World world, int threads, int steps, Keeping
 }
 
 void expectSameBits(const World& world, int steps, Keeping keeping = Keeping::NoBooks) {
+  const InstructionSet best = instructionSet();
   const auto alone = hashesOf(world, 1, steps, keeping);
-  for (const int threads : {2, 3, 4})
-    EXPECT_EQ(hashesOf(world, threads, steps, keeping), alone) << threads << " threads";
+  for (const InstructionSet set : instructionSets()) {
+    useInstructionSet(set);
+    for (const int threads : {1, 2, 4})
+      EXPECT_EQ(hashesOf(world, threads, steps, keeping), alone)
+          << threads << " threads, " << name(set);
+  }
+  useInstructionSet(best);
 }
 
 class Methods : public testing::TestWithParam<ContactMethod> {};

@@ -1,0 +1,26 @@
+// An order of balls in which those that are near each other in space are near each other in memory,
+// so that contacts find both in the cache.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "state/balls.h"
+
+namespace wells {
+
+/// Sorts by columns of the ground, row after row. It depends on positions and ids alone.
+class SpatialOrder {
+ public:
+  /// `ids` rise; their positions are finite.
+  void sort(const Balls& balls, std::span<const std::uint32_t> ids);
+
+  std::span<const std::uint32_t> ids() const { return sorted_; }
+
+ private:
+  std::vector<std::uint32_t> sorted_;
+  std::vector<std::uint32_t> column_;  // by ball given
+  std::vector<std::uint32_t> next_;    // by column
+};
+
+}  // namespace wells
