@@ -146,7 +146,8 @@ TEST(SpeedPlan, IsOfScenesThatExistAndFitsItsTime) {
 }
 
 TEST(FeatureTable, SaysWhatIsFree) {
-  FeatureRow row{.feature = "wells", .scene = "T1, 1,000", .unusedIs = "of strength 0"};
+  FeatureRow row;
+  row.scene = "T1, 1,000";
   row.unused = {1.02, 1.0, 1.3};
   FeatureRow dear = row;
   dear.unused.median = 1.021;

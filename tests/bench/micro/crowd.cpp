@@ -4,8 +4,6 @@
 
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
-
 #include "bench/micro/worlds.h"
 #include "world/candidates.h"
 #include "world/islands.h"
@@ -34,10 +32,12 @@ struct LargestIsland {
 void splitIntoBatches(benchmark::State& state) {
   const World& world = heap(static_cast<std::size_t>(state.range(0)));
   const LargestIsland island(world);
+  SpatialOrder order;
+  order.sort(world.balls, island.balls());
   std::vector<std::uint32_t> place(world.balls.size());
-  for (std::uint32_t k = 0; k < island.balls().size(); ++k) place[island.balls()[k]] = k;
+  for (std::uint32_t k = 0; k < order.ids().size(); ++k) place[order.ids()[k]] = k;
   ContactBatches batches;
-  for (auto _ : state) batches.split(island.pairs(), place, island.balls().size());
+  for (auto _ : state) batches.split(island.pairs(), order.ids(), place);
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(island.pairs().size()));
   state.counters["batches"] = static_cast<double>(batches.batches().size());
 }
@@ -53,10 +53,12 @@ void stepCrowd(benchmark::State& state) {
   const Balls start = world.balls;
   Crowd crowd;
   const ContactMemory memory;
+  ThreadPool pool;
   for (auto _ : state) {
     world.balls = start;
-    crowd.step(world.settings, model.path, island.balls(), island.pairs(),
-               island.candidates.isLeaning(), memory, world.balls, nullptr);
+    crowd.step({world.settings, model.path, island.balls(), island.pairs(),
+                island.candidates.isLeaning(), memory},
+               world.balls, pool, nullptr);
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(island.pairs().size()));
 }

@@ -1,10 +1,9 @@
-// Who may touch whom: boxes and pairs, candidates, islands.
-#include "broadphase/broadphase.h"
+// Who may touch whom: candidate pairs with their exact gaps, and islands.
+#include "world/candidates.h"
 
 #include <benchmark/benchmark.h>
 
 #include "bench/micro/worlds.h"
-#include "world/candidates.h"
 #include "world/islands.h"
 
 namespace wells {
@@ -13,24 +12,6 @@ namespace {
 using MakeWorld = const World& (*)(std::size_t);
 
 /// To and fro between a world and what it is a step later. Items are balls.
-void updateBroadphase(benchmark::State& state, MakeWorld make, BroadphaseKind kind) {
-  World worlds[] = {make(static_cast<std::size_t>(state.range(0))), {}};
-  worlds[0].settings.broadphase = kind;
-  worlds[1] = afterStep(worlds[0]);
-  const StepStart starts[] = {StepStart(worlds[0]), StepStart(worlds[1])};
-  Broadphase broadphase;
-  for (std::size_t n = 0; auto _ : state) {
-    broadphase.update(worlds[n % 2], starts[n % 2].reach, starts[n % 2].balls);
-    ++n;
-  }
-  state.SetItemsProcessed(state.iterations() * state.range(0));
-}
-BENCHMARK_CAPTURE(updateBroadphase, heap_tree, heap, BroadphaseKind::Tree)->Arg(1000)->Arg(10000);
-BENCHMARK_CAPTURE(updateBroadphase, heap_grid, heap, BroadphaseKind::Grid)->Arg(1000)->Arg(10000);
-BENCHMARK_CAPTURE(updateBroadphase, gas_tree, gas, BroadphaseKind::Tree)->Arg(10000);
-BENCHMARK_CAPTURE(updateBroadphase, gas_grid, gas, BroadphaseKind::Grid)->Arg(10000);
-
-/// The same with the exact gaps, and in order.
 void findCandidates(benchmark::State& state, MakeWorld make) {
   const World& before = make(static_cast<std::size_t>(state.range(0)));
   const World worlds[] = {before, afterStep(before)};
