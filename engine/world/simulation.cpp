@@ -17,6 +17,7 @@
 #include "world/crowd.h"
 #include "world/exact_flight.h"
 #include "world/islands.h"
+#include "world/late_pairs.h"
 #include "world/reaches.h"
 #include "world/sleep.h"
 
@@ -161,7 +162,7 @@ class Simulation : public Stepper {
     stage.next(Stage::Prepare);
     keepContacts();
     if (!world.roles.empty()) findLeaning(world);
-    countLatePairs(world);
+    counts_.latePairs = latePairs_.count(world, candidates_.ballPairs(), start_, sleep_.awake());
     stage.next(Stage::Other);
     for (const std::uint32_t i : sleep_.awake()) stepsInSubsteps_[i] = nextStepsInSubsteps_[i];
     findQuarantined(world.balls);
@@ -330,29 +331,6 @@ class Simulation : public Stepper {
     std::swap(contactMemory_, nextMemory_);
   }
 
-  /// A pair that was deep in overlap when it was first announced, by balls that took part in the
-  /// step before: the broadphase, or our bound on how far a ball moves, has missed it. Other peers'
-  /// balls jump when their states arrive.
-  void countLatePairs(const World& world) {
-    lastStep_.resize(world.balls.size(), kNoStep);
-    auto old = oldPairs_.begin();
-    const auto pairs = candidates_.ballPairs();
-    for (const BallPair& pair : pairs) {
-      while (old != oldPairs_.end() && (old->a != pair.a ? old->a < pair.a : old->b < pair.b))
-        ++old;
-      if (old != oldPairs_.end() && *old == pair) continue;
-      const auto [a, b] = pair;
-      if (lastStep_[a] + 1 != world.step || lastStep_[b] + 1 != world.step) continue;
-      if (!world.owns(a) || !world.owns(b)) continue;
-      const double touching = world.balls.radius[a] + world.balls.radius[b];
-      const double apart = length(start_[b].position - start_[a].position);
-      if (apart - touching < -kLateOverlap * touching) ++counts_.latePairs;
-    }
-    oldPairs_.resize(pairs.size());
-    std::ranges::copy(pairs, oldPairs_.begin());
-    for (const std::uint32_t i : sleep_.awake()) lastStep_[i] = world.step;
-  }
-
   void planFlights() {
     const auto isLeaning = candidates_.isLeaning();
     for (const std::uint32_t i : sleep_.awake()) isTouching_[i] = 0;
@@ -370,8 +348,6 @@ class Simulation : public Stepper {
 
   static constexpr std::size_t kLeastRange = 256;  // balls, in which a thread prepares
   static constexpr double kSurelyWithin = 0.999;   // of the square of a reach
-  static constexpr double kLateOverlap = 1e-6;     // of the sum of radii
-  static constexpr std::int64_t kNoStep = -2;
 
   const SimulationOptions options_;
   ThreadPool one_;
@@ -379,8 +355,7 @@ class Simulation : public Stepper {
   // Kept from step to step.
   Candidates candidates_;
   ContactMemory contactMemory_;
-  std::vector<BallPair> oldPairs_;             // of balls, of the step before
-  std::vector<std::int64_t> lastStep_;         // by ball, in which it took part
+  LatePairs latePairs_;
   std::vector<std::uint8_t> stepsInSubsteps_;  // by ball, see StepperMemory
   Sleep sleep_;
   BookKeeper keeper_;

@@ -1,0 +1,30 @@
+// Counts pairs that came too late: already deep in overlap when they were first announced, by balls
+// that took part in the step before. The broadphase, or our bound on how far a ball moves, has then
+// missed them; the count must be 0.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "broadphase/ball_pair.h"
+#include "state/world.h"
+
+namespace wells {
+
+class LatePairs {
+ public:
+  /// At the end of a step, in which the balls `awake` took part, began with start[ball] and could
+  /// touch as `pairs` (by (a, b)) have it. Other peers' balls do not count, for they jump when
+  /// their states arrive.
+  std::int64_t count(const World& world, std::span<const BallPair> pairs,
+                     std::span<const BallState> start, std::span<const std::uint32_t> awake);
+
+ private:
+  bool isLate(const World& world, const BallPair& pair, std::span<const BallState> start) const;
+
+  std::vector<BallPair> before_;        // those of the step before
+  std::vector<std::int64_t> lastStep_;  // by ball, in which it took part
+};
+
+}  // namespace wells
