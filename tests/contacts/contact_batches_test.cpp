@@ -213,10 +213,10 @@ TEST(ContactBatches, ForgetTheCrowdBefore) {
   Split used = randomCrowd(3, 3000);
   const Split fresh = randomCrowd(4, 700);
   used.batches.split(fresh.pairs, fresh.balls, fresh.place);
-  const auto bytesOf = [](std::span<const std::uint32_t> slots) {
+  const auto listed = [](std::span<const std::uint32_t> slots) {
     return Ids(slots.begin(), slots.end());
   };
-  EXPECT_EQ(bytesOf(used.batches.slots()), bytesOf(fresh.batches.slots()));
+  EXPECT_EQ(listed(used.batches.slots()), listed(fresh.batches.slots()));
   EXPECT_EQ(used.batches.batches().size(), fresh.batches.batches().size());
 }
 

@@ -52,10 +52,12 @@ TEST(LatePairs, LetsBallsTouchWhenTheyAreAnnounced) {
 }
 
 TEST(LatePairs, DoesNotCountBallsThatWereAsleep) {
-  Row row(2, 0.9);
-  row.step({}, {0, 1});
-  row.step({}, {0});
-  EXPECT_EQ(row.step({{0, 1}}, {0, 1}), 0);
+  for (const std::uint32_t awake : {0u, 1u}) {
+    Row row(2, 0.9);
+    row.step({}, {0, 1});
+    row.step({}, {awake});
+    EXPECT_EQ(row.step({{0, 1}}, {0, 1}), 0);
+  }
 }
 
 TEST(LatePairs, DoesNotCountOtherPeersBalls) {
