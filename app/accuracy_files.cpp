@@ -7,7 +7,6 @@
 
 #include "accuracy_run.h"
 #include "bench_row.h"
-#include "build_info.h"
 #include "world/measures.h"
 
 namespace wells {
@@ -117,8 +116,8 @@ std::string overviewText(std::span<const CaseReach> reaches) {
 
 std::string conditionsText(std::span<const CaseResult> cases, std::string_view command) {
   std::string text = fmt::format(
-      "command    {}\ncommit     {}\ncompiler   {}\nflags      {}\nprocessor  {}\n\n"
-      "Error, from a run of its own: in m the largest distance of a ball from the exact answer at "
+      "{}\nError, from a run of its own: in m the largest distance of a ball from the exact answer "
+      "at "
       "the end;\nin 1 the root mean square of what the energy is off, relative to that of the "
       "start; in m^2 the mean of\nthe sum of the squares of all overlaps (means over the states "
       "with which steps begin).\n"
@@ -126,8 +125,7 @@ std::string conditionsText(std::span<const CaseResult> cases, std::string_view c
       "median. Bullet,\nwhich cannot start over, is made anew; its first step, which builds its "
       "world, is not timed but\ncounted like the others.\nBooks (.._J): of runs of up to {} "
       "steps.\n\nNot run:\n",
-      command, build_info::kCommit, build_info::kCompiler, build_info::kFlags, processor(),
-      kMostBookedSteps);
+      buildText(command), kMostBookedSteps);
   for (const CaseResult& result : cases)
     for (const Ladder& ladder : result.ladders)
       for (const std::string& note : ladder.notes)

@@ -24,15 +24,6 @@ std::vector<std::string> allCases() {
   return names;
 }
 
-/// Adds an option that takes one value as it stands.
-CLI::Option* addPath(CLI::App& app, const std::string& option, std::filesystem::path& target,
-                     const std::string& type, const std::string& help) {
-  return app
-      .add_option_function<std::string>(
-          option, [&target](const std::string& value) { target = value; }, help)
-      ->type_name(type);
-}
-
 /// Falling, each once.
 std::vector<double> parseStepSizes(const std::string& text) {
   const Range allowed = Range::between(1e-6, 1);

@@ -8,6 +8,19 @@
 #include "math/instruction_set.h"
 
 namespace wells {
+namespace {
+
+/// Model name, or "unknown", and the instruction set in use.
+std::string processor() {
+  const std::string set(name(instructionSet()));
+  std::ifstream cpuinfo("/proc/cpuinfo");
+  for (std::string line; std::getline(cpuinfo, line);)
+    if (line.starts_with("model name"))
+      return fmt::format("{} ({})", line.substr(line.find(':') + 2), set);
+  return fmt::format("unknown ({})", set);
+}
+
+}  // namespace
 
 std::string stepColumns(const ContactShares& shares, const std::optional<Books>& books) {
   const std::string first = shares.exactBalls + shares.substepBalls > 0
@@ -22,15 +35,13 @@ std::string stepColumns(const ContactShares& shares, const std::optional<Books>&
 
 std::string buildColumns() {
   return fmt::format("{},{},{},{}", build_info::kCommit, csvField(build_info::kCompiler),
-                     csvField(build_info::kFlags),
-                     csvField(fmt::format("{} ({})", processor(), name(instructionSet()))));
+                     csvField(build_info::kFlags), csvField(processor()));
 }
 
-std::string processor() {
-  std::ifstream cpuinfo("/proc/cpuinfo");
-  for (std::string line; std::getline(cpuinfo, line);)
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  return "unknown";
+std::string buildText(std::string_view command) {
+  return fmt::format("command    {}\ncommit     {}\ncompiler   {}\nflags      {}\nprocessor  {}\n",
+                     command, build_info::kCommit, build_info::kCompiler, build_info::kFlags,
+                     processor());
 }
 
 std::string csvField(std::string_view text) {

@@ -24,8 +24,8 @@ inline constexpr std::string_view kBuildColumns = "commit,compiler,flags,cpu";
 /// Their values.
 std::string buildColumns();
 
-/// Model name of the processor, or "unknown".
-std::string processor();
+/// The same as lines of text, below the command that was run.
+std::string buildText(std::string_view command);
 
 /// A CSV field: quoted where it holds a comma or a quote (RFC 4180).
 std::string csvField(std::string_view text);

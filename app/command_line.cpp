@@ -99,6 +99,23 @@ void addInteger(CLI::App& app, const std::string& name, std::int64_t& target, st
       ->type_name("COUNT");
 }
 
+void addIntegers(CLI::App& app, const std::string& name, std::vector<std::int64_t>& target,
+                 std::int64_t high, const std::string& help) {
+  app.add_option_function<std::string>(
+         name,
+         [&target, name, high](const std::string& text) {
+           const std::string allowed =
+               fmt::format("whole numbers 1 to {}, with commas between them", high);
+           target.clear();
+           parseOption(name, text, allowed, [&] {
+             for (const std::string_view word : splitAtCommas(text))
+               target.push_back(parseInteger(trimmed(word), 1, high));
+           });
+         },
+         help)
+      ->type_name("COUNT,...");
+}
+
 void addSeconds(CLI::App& app, const std::string& name, double& target, double low, double high,
                 const std::string& help) {
   app.add_option_function<std::string>(
@@ -126,6 +143,20 @@ void addName(CLI::App& app, const std::string& name, std::string& target, const 
          },
          help)
       ->type_name("NAME");
+}
+
+CLI::Option* addPath(CLI::App& app, const std::string& name, std::filesystem::path& target,
+                     const std::string& type, const std::string& help) {
+  return app
+      .add_option_function<std::string>(
+          name,
+          [&target, name](const std::string& value) {
+            if (trimmed(value).empty())
+              throw UsageError(fmt::format("{} \"\": the value is missing; allowed: a name", name));
+            target = value;
+          },
+          help)
+      ->type_name(type);
 }
 
 void addInstructions(CLI::App& app, const std::string& group) {

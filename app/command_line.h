@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <span>
 #include <string>
@@ -25,6 +26,10 @@ void parseOption(std::string_view name, std::string_view value, std::string_view
 void addInteger(CLI::App& app, const std::string& name, std::int64_t& target, std::int64_t low,
                 std::int64_t high, const std::string& help);
 
+/// Adds --name COUNT,..., whole numbers 1 .. high; `target` holds its default.
+void addIntegers(CLI::App& app, const std::string& name, std::vector<std::int64_t>& target,
+                 std::int64_t high, const std::string& help);
+
 /// Adds --name S, a time low .. high, in s; `target` holds its default.
 void addSeconds(CLI::App& app, const std::string& name, double& target, double low, double high,
                 const std::string& help);
@@ -32,6 +37,10 @@ void addSeconds(CLI::App& app, const std::string& name, double& target, double l
 /// Adds --name NAME, where `check` throws std::invalid_argument for a value that is not allowed.
 void addName(CLI::App& app, const std::string& name, std::string& target, const std::string& help,
              void (*check)(std::string_view));
+
+/// Adds --name FILE, or FOLDER, as `type` says.
+CLI::Option* addPath(CLI::App& app, const std::string& name, std::filesystem::path& target,
+                     const std::string& type, const std::string& help);
 
 /// Adds --instructions NAME, which takes effect as it is parsed.
 void addInstructions(CLI::App& app, const std::string& group = "Options");

@@ -12,6 +12,7 @@
 #include "engines.h"
 #include "errors.h"
 #include "gnuplot.h"
+#include "paired_ratio.h"
 #include "progress.h"
 #include "scenes/catalogue.h"
 #include "text_file.h"
@@ -42,28 +43,9 @@ struct CurvePoint {
   bool isBullet() const { return substeps == 0; }
 };
 
-/// Bullet's time over that of `point`, repeat by repeat: what slows the machine down for a while
-/// slows down both.
+/// Bullet's time over that of `point`, repeat by repeat.
 double speedUp(const CurvePoint& point, const CurvePoint& bullet) {
-  std::vector<double> ratios;
-  for (std::size_t i = 0; i < point.times.size(); ++i)
-    ratios.push_back(bullet.times[i] / point.times[i]);
-  return median(ratios);
-}
-
-void addCounts(CLI::App& app, const std::string& name, std::vector<std::int64_t>& target,
-               const std::string& help) {
-  app.add_option_function<std::string>(
-         name,
-         [name, &target](const std::string& text) {
-           target.clear();
-           parseOption(name, text, "whole numbers 1 to 1000, with commas between them", [&] {
-             for (const std::string_view word : splitAtCommas(text))
-               target.push_back(parseInteger(trimmed(word), 1, 1000));
-           });
-         },
-         help)
-      ->type_name("COUNT,...");
+  return pairedRatio(bullet.times, point.times).median;
 }
 
 std::optional<CurveOptions> parseCurveOptions(std::span<const std::string> arguments) {
@@ -80,13 +62,10 @@ std::optional<CurveOptions> parseCurveOptions(std::span<const std::string> argum
   addInteger(app, "--steps", options.steps, 1, 1'000'000, "default: the scene's");
   addInteger(app, "--repeats", options.repeats, 1, 100,
              "of everything; the median counts (default 3)");
-  addCounts(app, "--substeps", options.substeps, "of ours (default 1,2,4,8)");
-  addCounts(app, "--iterations", options.iterations,
-            "passes a substep, of ours (default 1,2,4,8,16)");
-  app.add_option_function<std::string>(
-         "--out", [&](const std::string& value) { options.out = value; },
-         "for all files (default out/curve)")
-      ->type_name("FOLDER");
+  addIntegers(app, "--substeps", options.substeps, 1000, "of ours (default 1,2,4,8)");
+  addIntegers(app, "--iterations", options.iterations, 1000,
+              "passes a substep, of ours (default 1,2,4,8,16)");
+  addPath(app, "--out", options.out, "FOLDER", "for all files (default out/curve)");
   if (parseArguments(app, arguments) == Parsed::HelpShown) return {};
   return options;
 }

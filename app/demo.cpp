@@ -47,15 +47,10 @@ bool parseDemoOptions(std::span<const std::string> arguments, DemoOptions& optio
       "Two peers on this machine share the template world for a while and say what they "
       "did.",
       "gravity-wells demo");
-  app.add_option_function<std::string>(
-         "--config", [&](const std::string& value) { options.config = value; },
-         "the world of both peers")
-      ->type_name("FILE")
+  addPath(app, "--config", options.config, "FILE", "the world of both peers")
       ->default_str(options.config.string());
-  app.add_option_function<std::string>(
-         "--out", [&](const std::string& value) { options.out = value; },
-         "folder for videos, last frames and reports; made if absent")
-      ->type_name("FOLDER")
+  addPath(app, "--out", options.out, "FOLDER",
+          "folder for videos, last frames and reports; made if absent")
       ->default_str(options.out.string());
   app.add_option_function<std::string>(
          "--duration",

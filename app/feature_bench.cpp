@@ -46,10 +46,7 @@ std::optional<FeatureOptions> parse(std::span<const std::string> arguments) {
   addChoice(app, "--features", options.features, names, "default: all, " + joined(names, ", "));
   addInteger(app, "--repeats", options.repeats, 1, 1000, "rounds; medians count (default 11)");
   addInteger(app, "--steps", options.steps, 1, 10'000, "that are timed in a round (default 30)");
-  app.add_option_function<std::string>(
-         "--out", [&](const std::string& value) { options.out = value; },
-         "for all files (default out/features)")
-      ->type_name("FOLDER");
+  addPath(app, "--out", options.out, "FOLDER", "for all files (default out/features)");
   if (parseArguments(app, arguments) == Parsed::HelpShown) return {};
   return options;
 }

@@ -72,24 +72,11 @@ void addKeys(CLI::App& app, std::vector<Setting>& settings) {
   }
 }
 
-void addPath(CLI::App& app, const std::string& name, fs::path& path, const std::string& help,
-             const std::string& group) {
-  app.add_option_function<std::string>(
-         name,
-         [&path, name](const std::string& value) {
-           if (trimmed(value).empty())
-             throw UsageError(fmt::format("{} \"\": the value is missing; allowed: a name", name));
-           path = value;
-         },
-         help)
-      ->type_name(name == "--frames" ? "FOLDER" : "FILE")
-      ->group(group);
-}
-
 void addRunOptions(CLI::App& app, PeerOptions& options, Words& words) {
   const std::string group = "Run";
-  addPath(app, "--config", words.configFile, "config file of KEY=VALUE lines; options override it",
-          group);
+  addPath(app, "--config", words.configFile, "FILE",
+          "config file of KEY=VALUE lines; options override it")
+      ->group(group);
   app.add_flag_function(
          "--solo", [&](std::int64_t) { options.company = Company::Solo; },
          "alone: no network, as fast as possible")
@@ -137,8 +124,9 @@ void addTargetError(CLI::App& app, PeerOptions& options) {
 
 void addSnapshotOptions(CLI::App& app, PeerOptions& options, Words& words) {
   const std::string group = "Snapshot (with --solo)";
-  addPath(app, "--save-snapshot", options.snapshot,
-          "writes the world at the end, with all that a run needs to go on from it", group);
+  addPath(app, "--save-snapshot", options.snapshot, "FILE",
+          "writes the world at the end, with all that a run needs to go on from it")
+      ->group(group);
   app.add_option_function<std::string>(
          "--save-snapshot-every",
          [&](const std::string& value) {
@@ -148,10 +136,10 @@ void addSnapshotOptions(CLI::App& app, PeerOptions& options, Words& words) {
       ->type_name("s")
       ->group(group);
   addPath(
-      app, "--restore", words.restoreFile,
+      app, "--restore", words.restoreFile, "FILE",
       "goes on from a snapshot: with its world, this peer's well and engine, and the same bits; "
-      "--duration and --steps count from there",
-      group);
+      "--duration and --steps count from there")
+      ->group(group);
 }
 
 void addNetworkOptions(CLI::App& app, PeerOptions& options) {
@@ -179,12 +167,17 @@ void addNetworkOptions(CLI::App& app, PeerOptions& options) {
 
 void addOutputOptions(CLI::App& app, PeerOptions& options) {
   const std::string group = "Output";
-  addPath(app, "--frames", options.frames, "writes each frame as PNG into this folder", group);
-  addPath(app, "--video", options.video, "writes the frames as MP4 (needs ffmpeg)", group);
-  addPath(app, "--last-frame", options.lastFrame, "writes the last frame as PNG", group);
-  addPath(app, "--state-out", options.stateOut,
-          "writes all balls at the end as CSV, 17 digits, as BallsFile reads it", group);
-  addPath(app, "--report", options.report, "writes what was measured as JSON", group);
+  addPath(app, "--frames", options.frames, "FOLDER", "writes each frame as PNG into this folder")
+      ->group(group);
+  addPath(app, "--video", options.video, "FILE", "writes the frames as MP4 (needs ffmpeg)")
+      ->group(group);
+  addPath(app, "--last-frame", options.lastFrame, "FILE", "writes the last frame as PNG")
+      ->group(group);
+  addPath(app, "--state-out", options.stateOut, "FILE",
+          "writes all balls at the end as CSV, 17 digits, as BallsFile reads it")
+      ->group(group);
+  addPath(app, "--report", options.report, "FILE", "writes what was measured as JSON")
+      ->group(group);
   app.add_flag("--measures", options.measures,
                "books energy and momentum by source, for the summary and --report; costs time")
       ->group(group);

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
+#include <utility>
 
 #include "flight/integrators.h"
 #include "key_kinds.h"
@@ -49,6 +52,25 @@ std::vector<std::string> integratorNames() {
   std::vector<std::string> names;
   for (const Integrator& integrator : integrators()) names.emplace_back(integrator.name);
   return names;
+}
+
+/// One of `names`, of which `parse` makes a value; `what` they are, for messages.
+template <class Enum>
+Key choiceKey(std::string keyName, std::span<const std::string_view> names, Enum Settings::*field,
+              std::optional<Enum> (*parse)(std::string_view), std::string what, std::string help) {
+  return {
+      .name = std::move(keyName),
+      .allowed = fmt::format("{}", fmt::join(names, ", ")),
+      .help = std::move(help),
+      .set =
+          [field, parse, what = std::move(what)](Config& c, std::string_view v, const fs::path&) {
+            const auto value = parse(trimmed(v));
+            if (!value) throw BadValue("no such " + what);
+            c.settings.*field = *value;
+          },
+      .get = [field](const Config& c) -> std::vector<std::string> {
+        return {std::string(name(c.settings.*field))};
+      }};
 }
 
 }  // namespace
@@ -153,40 +175,20 @@ Key integratorKey() {
 }
 
 Key contactMethodKey() {
-  return {.name = "ContactMethod",
-          .allowed = fmt::format("{}", fmt::join(kContactMethodNames, ", ")),
-          .help =
-              "exact: impacts at their own times within the step, single balls roll and slide on "
-              "ground or wall, other lasting contacts by substeps; substep: all contacts by "
-              "substeps; auto: "
-              "exact, but crowds by substeps",
-          .set =
-              [](Config& c, std::string_view v, const fs::path&) {
-                const auto method = contactMethod(trimmed(v));
-                if (!method) throw BadValue("no such contact method");
-                c.settings.contactMethod = *method;
-              },
-          .get = [](const Config& c) -> std::vector<std::string> {
-            return {std::string(name(c.settings.contactMethod))};
-          }};
+  return choiceKey(
+      "ContactMethod", kContactMethodNames, &Settings::contactMethod, contactMethod,
+      "contact method",
+      "exact: impacts at their own times within the step, single balls roll and slide on ground or "
+      "wall, other lasting contacts by substeps; substep: all contacts by substeps; auto: exact, "
+      "but crowds by substeps");
 }
 
 Key broadphaseKey() {
-  return {.name = "Broadphase",
-          .allowed = fmt::format("{}", fmt::join(kBroadphaseNames, ", ")),
-          .help =
-              "how balls that may touch are found: tree: Bullet's btDbvtBroadphase; grid: cells as "
-              "large as a ball and its way; auto: grid where radii are about the same, else tree. "
-              "Changes no result",
-          .set =
-              [](Config& c, std::string_view v, const fs::path&) {
-                const auto kind = broadphaseKind(trimmed(v));
-                if (!kind) throw BadValue("no such broadphase");
-                c.settings.broadphase = *kind;
-              },
-          .get = [](const Config& c) -> std::vector<std::string> {
-            return {std::string(name(c.settings.broadphase))};
-          }};
+  return choiceKey(
+      "Broadphase", kBroadphaseNames, &Settings::broadphase, broadphaseKind, "broadphase",
+      "how balls that may touch are found: tree: Bullet's btDbvtBroadphase; grid: cells as large "
+      "as a ball and its way; auto: grid where radii are about the same, else tree. Changes no "
+      "result");
 }
 
 Key hostIpKey() {

@@ -9,7 +9,6 @@
 
 #include "bench_row.h"
 #include "bench_settling.h"
-#include "build_info.h"
 #include "command_line.h"
 #include "engines.h"
 #include "gnuplot.h"
@@ -19,6 +18,7 @@
 #include "speed_table.h"
 #include "stage_times.h"
 #include "text_file.h"
+#include "threads/thread_pool.h"
 #include "values.h"
 #include "wake_cost.h"
 
@@ -27,7 +27,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t kMostThreads = 64;
 constexpr std::string_view kSleepingScene = "T3-10000";
 
 std::vector<std::string> sceneNames() {
@@ -61,17 +60,8 @@ std::optional<SpeedOptions> parse(std::span<const std::string> arguments) {
   addInteger(app, "--repeats", options.repeats, 1, 100,
              "rounds of a scene, if there is time; medians count (default 5)");
   addInteger(app, "--steps", options.steps, 1, 1'000'000, "default: the scenes'");
-  app.add_option_function<std::string>(
-         "--threads",
-         [&](const std::string& text) {
-           options.threads.clear();
-           parseOption("--threads", text, "whole numbers 1 to 64, with commas between them", [&] {
-             for (const std::string_view word : splitAtCommas(text))
-               options.threads.push_back(parseInteger(trimmed(word), 1, kMostThreads));
-           });
-         },
-         "of ours; one thread always runs (default 1,2)")
-      ->type_name("COUNT,...");
+  addIntegers(app, "--threads", options.threads, kMostThreads,
+              "of ours; one thread always runs (default 1,2)");
   app.add_option_function<std::string>(
          "--minutes",
          [&](const std::string& text) {
@@ -80,24 +70,13 @@ std::optional<SpeedOptions> parse(std::span<const std::string> arguments) {
                        [&] { options.minutes = parseNumber(text, range); });
          },
          "for all; scenes have fewer rounds, or are left out, where it is over (default 12)")
-      ->type_name("COUNT");
-  app.add_option_function<std::string>(
-         "--out", [&](const std::string& value) { options.out = value; },
-         "for all files (default out/speed)")
-      ->type_name("FOLDER");
+      ->type_name("MINUTES");
+  addPath(app, "--out", options.out, "FOLDER", "for all files (default out/speed)");
   app.add_flag("--quick", isQuick,
                "a rough look: 2 rounds of 60 steps of scenes that are soon done");
   if (parseArguments(app, arguments) == Parsed::HelpShown) return {};
   if (isQuick) beQuick(app, options);
   return options;
-}
-
-std::string conditions(std::span<const std::string> arguments) {
-  return fmt::format(
-      "command    ./run.sh bench speed {}\ncommit     {}\ncompiler   {}\nflags      {}\n"
-      "processor  {}\n\n",
-      joined({arguments.data(), arguments.size()}, " "), build_info::kCommit, build_info::kCompiler,
-      build_info::kFlags, processor());
 }
 
 World worldOf(const SpeedScene& scene, const SpeedMethod& method) {
@@ -129,8 +108,8 @@ std::vector<WakeRow> wakingOf(const SpeedScene& scene) {
 /// All that was measured so far, on disk at once: a run that is ended early leaves what it has.
 class SpeedFiles {
  public:
-  SpeedFiles(const SpeedOptions& options, std::string conditionsText)
-      : folder_(options.out), text_(std::move(conditionsText)) {}
+  SpeedFiles(const SpeedOptions& options, std::string head)
+      : folder_(options.out), text_(std::move(head)) {}
 
   /// A part of the text, printed too.
   void say(const std::string& part) {
@@ -184,7 +163,9 @@ int runSpeedBench(std::span<const std::string> arguments, char** argv) {
   if (!options) return 0;
   becomeExecutableOf("ours", argv);  // the one that starts the other
   makeFolder("--out", options->out);
-  SpeedFiles files(*options, conditions(arguments));
+  std::vector<std::string> command = {"./run.sh bench speed"};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  SpeedFiles files(*options, buildText(joined(command, " ")) + "\n");
   runAll(*options, files);
   runGnuplot(options->out, "speed.gp");
   fmt::print("Tables and plot: {}\n", options->out.string());
