@@ -126,7 +126,7 @@ std::string conditionsText(std::span<const CaseResult> cases, std::string_view c
       "median. Bullet,\nwhich cannot start over, is made anew; its first step, which builds its "
       "world, is not timed but\ncounted like the others.\nBooks (.._J): of runs of up to {} "
       "steps.\n\nNot run:\n",
-      command, build_info::kCommit, build_info::kCompiler, build_info::kFlags, processor(),
+      command, build_info::kCommit, build_info::kCompiler, build_info::kFlags, processorInUse(),
       kMostBookedSteps);
   for (const CaseResult& result : cases)
     for (const Ladder& ladder : result.ladders)

@@ -22,8 +22,11 @@ std::string stepColumns(const ContactShares& shares, const std::optional<Books>&
 
 std::string buildColumns() {
   return fmt::format("{},{},{},{}", build_info::kCommit, csvField(build_info::kCompiler),
-                     csvField(build_info::kFlags),
-                     csvField(fmt::format("{} ({})", processor(), name(instructionSet()))));
+                     csvField(build_info::kFlags), csvField(processorInUse()));
+}
+
+std::string processorInUse() {
+  return fmt::format("{} ({})", processor(), name(instructionSet()));
 }
 
 std::string processor() {

@@ -27,6 +27,9 @@ std::string buildColumns();
 /// Model name of the processor, or "unknown".
 std::string processor();
 
+/// The same, and the instruction set that vector code uses of it.
+std::string processorInUse();
+
 /// A CSV field: quoted where it holds a comma or a quote (RFC 4180).
 std::string csvField(std::string_view text);
 

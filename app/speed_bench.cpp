@@ -97,7 +97,7 @@ std::string conditions(std::span<const std::string> arguments) {
       "command    ./run.sh bench speed {}\ncommit     {}\ncompiler   {}\nflags      {}\n"
       "processor  {}\n\n",
       joined({arguments.data(), arguments.size()}, " "), build_info::kCommit, build_info::kCompiler,
-      build_info::kFlags, processor());
+      build_info::kFlags, processorInUse());
 }
 
 World worldOf(const SpeedScene& scene, const SpeedMethod& method) {
