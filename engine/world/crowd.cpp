@@ -268,7 +268,7 @@ CrowdSubstep Crowd::substepOfAll() const {
   CrowdSubstep all;
   for (const Worker& worker : std::span(workers_).first(threads_)) {
     all.anyImpact = all.anyImpact || worker.substep.anyImpact;
-    all.builtUp = std::max(all.builtUp, worker.substep.builtUp);
+    all.closing = std::max(all.closing, worker.substep.closing);
   }
   return all;
 }
@@ -279,9 +279,12 @@ void Crowd::solve(const Settings& settings, std::size_t thread, Barrier& barrier
     startFromLasting(partner, rules_, arrays, blocksOf(thread, part));
   });
   const CrowdSubstep substep = substepOfAll();
-  const bool rests = !substep.anyImpact;
-  const Watch watch = rests ? Watch::Changes : Watch::No;
-  const int most = rests ? std::max(settings.iterations, kPassesAtRest) : settings.iterations;
+  // Impacts that lose nothing gain energy until they are solved.
+  const bool isLossless = substep.anyImpact && rules_.elasticity == 1;
+  const bool isToBeSolved = !substep.anyImpact || isLossless;
+  const Watch watch = isToBeSolved ? Watch::Changes : Watch::No;
+  const int wanted = isLossless ? kPassesLossless : isToBeSolved ? kPassesAtRest : 1;
+  const int most = std::max(settings.iterations, wanted);
   for (int pass = 0; pass < most; ++pass) {
     // The other parity may still be read by a thread that is late.
     double& changed = workers_[thread].changed[pass % 2];
@@ -290,11 +293,11 @@ void Crowd::solve(const Settings& settings, std::size_t thread, Barrier& barrier
       changed =
           std::max(changed, solveContacts(partner, watch, rules_, arrays, blocksOf(thread, part)));
     });
-    if (!rests) continue;
+    if (!isToBeSolved) continue;
     double mostChanged = 0;
     for (const Worker& worker : std::span(workers_).first(threads_))
       mostChanged = std::max(mostChanged, worker.changed[pass % 2]);
-    if (!(mostChanged > kSolved * substep.builtUp)) return;
+    if (!(mostChanged > kSolved * substep.closing)) return;
   }
 }
 

@@ -114,9 +114,8 @@ inline bool same(const WellKeyframe& a, const WellKeyframe& b) {
 }
 
 inline bool same(const StepperMemory::Contact& a, const StepperMemory::Contact& b) {
-  return a.a == b.a && a.b == b.b &&
-         same(a.normalImpulse, b.normalImpulse) && same(a.tangentImpulse, b.tangentImpulse) &&
-         same(a.rollingImpulse, b.rollingImpulse);
+  return a.a == b.a && a.b == b.b && same(a.normalImpulse, b.normalImpulse) &&
+         same(a.tangentImpulse, b.tangentImpulse) && same(a.rollingImpulse, b.rollingImpulse);
 }
 
 inline bool same(const WellTrack& a, const WellTrack& b);
