@@ -38,7 +38,7 @@ struct CrowdRules {
 
 struct CrowdSubstep {
   bool anyImpact = false;
-  double builtUp = 0;  // m/s, the most of any contact
+  double closing = 0;  // m/s, the most that forces built up, or an impact closes with
 };
 
 /// Lists those of the pairs first .. last - 1 that touch; returns how many.

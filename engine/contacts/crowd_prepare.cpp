@@ -58,7 +58,7 @@ HWY_INLINE V3 acrossRate(const V3& va, const V3& vb) {
 /// CrowdSubstep, lane by lane.
 struct Lasting {
   M anyImpact;
-  V builtUp;
+  V closing;
 };
 
 template <PartnerKind kPartner, bool kRubs>
@@ -140,7 +140,7 @@ void prepareLanes(const CrowdRules& rules, const CrowdArrays& in, std::size_t la
   store(hn::IfThenElse(isImpact, zero, set(1)), flight.lasts);
   store(hn::IfThenElse(isCoarse, zero, set(1)), flight.rubShifts);
   most.anyImpact = hn::Or(most.anyImpact, isImpact);
-  most.builtUp = hn::Max(most.builtUp, builtUp);
+  most.closing = hn::Max(most.closing, hn::IfThenElse(isImpact, closing, builtUp));
 }
 
 template <PartnerKind kPartner, bool kRubs>
@@ -162,7 +162,7 @@ void prepareAll(const CrowdRules& rules, const CrowdArrays& in,
       prepareLanes<kPartner, kRubs>(rules, in, lane, block, flights[first / kContactLanes], most);
   }
   substep.anyImpact = substep.anyImpact || !hn::AllFalse(kTag, most.anyImpact);
-  substep.builtUp = std::max(substep.builtUp, hn::GetLane(hn::MaxOfLanes(kTag, most.builtUp)));
+  substep.closing = std::max(substep.closing, hn::GetLane(hn::MaxOfLanes(kTag, most.closing)));
 }
 
 std::size_t touching(PartnerKind partner, const CrowdRules& rules, const CrowdArrays& in,

@@ -21,6 +21,10 @@ inline constexpr double kLeftOverlap = 1e-3;
 /// a heap that should stand creeps. An island is solved when a pass changes no velocity by more
 /// than kSolved of what forces gave in the substep.
 inline constexpr int kPassesAtRest = 16;
+
+/// Likewise where impacts of restitution 1 happen: what is not solved yet gains energy.
+inline constexpr int kPassesLossless = 256;
+
 inline constexpr double kSolved = 1e-12;
 
 /// What is further apart than this (of a radius) does not touch; and where forces move a ball

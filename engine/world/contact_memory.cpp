@@ -14,9 +14,8 @@ bool isFiniteImpulse(const StepperMemory::Contact& c) {
 }  // namespace
 
 const ContactMemory::Kept* ContactMemory::find(std::uint32_t a, std::uint32_t b) const {
-  if (a + 1 >= firstOf_.size()) return nullptr;
-  for (std::uint32_t n = firstOf_[a]; n < firstOf_[a + 1]; ++n)
-    if (kept_[n].b == b) return isFiniteImpulse(kept_[n]) ? &kept_[n] : nullptr;
+  for (const Kept& kept : isBall(b) ? ofBall(a) : ofBallInArena(a))
+    if (kept.b == b) return &kept;
   return nullptr;
 }
 
@@ -36,34 +35,22 @@ void ContactMemory::forget(double substep) {
 
 void ContactMemory::add(const Contact& c) {
   if (c.impact || !(c.normalImpulse > 0)) return;
-  kept_.push_back({c.a, c.b, c.normalImpulse, c.tangentImpulse, c.rollingImpulse});
+  add({c.a, c.b, c.normalImpulse, c.tangentImpulse, c.rollingImpulse});
 }
 
-// By counting how many each ball has, then those few of a ball by comparing.
+void ContactMemory::add(const Kept& contact) {
+  if (isFiniteImpulse(contact)) kept_.push_back(contact);
+}
+
 void ContactMemory::arrange() {
-  index();
-  const auto isOrdered = [](const Kept& x, const Kept& y) {
-    return x.a != y.a ? x.a < y.a : x.b < y.b;
-  };
-  if (std::ranges::is_sorted(kept_, isOrdered)) return;
-  unsorted_.swap(kept_);
-  kept_.resize(unsorted_.size());
-  for (const Kept& c : unsorted_) kept_[firstOf_[c.a]++] = c;
-  const auto isBefore = [](const Kept& x, const Kept& y) { return x.b < y.b; };
-  std::uint32_t first = 0;
-  for (std::uint32_t& last : firstOf_) {
-    std::sort(kept_.begin() + first, kept_.begin() + last, isBefore);
-    std::swap(first, last);
+  lists_.clear();
+  for (std::uint32_t n = 0; n < kept_.size(); ++n) {
+    const Kept& c = kept_[n];
+    if (c.a >= lists_.size()) lists_.resize(c.a + 1);
+    Range& range = isBall(c.b) ? lists_[c.a].balls : lists_[c.a].arena;
+    if (range.count == 0) range.first = n;
+    ++range.count;
   }
-}
-
-/// Where the contacts of each ball begin, and behind all of them.
-void ContactMemory::index() {
-  std::uint32_t most = 0;
-  for (const Kept& c : kept_) most = std::max(most, c.a + 2);
-  firstOf_.assign(most, 0);
-  for (const Kept& c : kept_) ++firstOf_[c.a + 1];
-  for (std::uint32_t a = 1; a < most; ++a) firstOf_[a] += firstOf_[a - 1];
 }
 
 void ContactMemory::giveBack(std::span<const Kept> contacts) {
@@ -77,12 +64,17 @@ void ContactMemory::save(StepperMemory& memory) const {
   memory.arenaContacts.clear();
   for (const Kept& c : kept_)
     (isBall(c.b) ? memory.ballContacts : memory.arenaContacts).push_back(c);
+  for (auto* contacts : {&memory.ballContacts, &memory.arenaContacts})
+    std::ranges::sort(
+        *contacts, [](const Kept& x, const Kept& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
 }
 
 void ContactMemory::restore(const StepperMemory& memory) {
   substep_ = memory.substep;
-  kept_ = memory.ballContacts;
-  giveBack(memory.arenaContacts);
+  kept_.clear();
+  for (const auto* contacts : {&memory.ballContacts, &memory.arenaContacts})
+    for (const Kept& c : *contacts) add(c);
+  arrange();
 }
 
 }  // namespace wells

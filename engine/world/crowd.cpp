@@ -15,9 +15,11 @@ constexpr std::size_t kLeastPairs = 256;      // that a thread gathers, or a sha
 constexpr std::size_t kLeastBalls = 256;      // that a thread copies
 constexpr std::size_t kFlightBlock = 64;      // balls, that fit the cache as components
 
+constexpr std::size_t kSpare = 64;  // records, so that small changes take no memory
+
 template <class Record>
 void makeRoomFor(std::vector<Record>& records, std::size_t count) {
-  if (records.size() < count) records.resize(count + count / 8);
+  if (records.size() < count) records.resize(count + count / 8 + kSpare);
 }
 
 /// Balls in a row, an array for each component.
@@ -32,6 +34,28 @@ class FlightBlock {
   Component x_, y_, z_, vx_, vy_, vz_;
 };
 
+/// Looks up contacts in the order of pairs, going along with those of each ball.
+class OldContacts {
+ public:
+  explicit OldContacts(const ContactMemory& memory) : memory_(memory) {}
+
+  const ContactMemory::Kept* find(const BallPair& pair) {
+    if (pair.a != ball_ || isBall(pair.b) != areBalls_) {
+      ball_ = pair.a;
+      areBalls_ = isBall(pair.b);
+      left_ = areBalls_ ? memory_.ofBall(ball_) : memory_.ofBallInArena(ball_);
+    }
+    while (!left_.empty() && left_.front().b < pair.b) left_ = left_.subspan(1);
+    return !left_.empty() && left_.front().b == pair.b ? &left_.front() : nullptr;
+  }
+
+ private:
+  const ContactMemory& memory_;
+  std::uint32_t ball_ = kGround;
+  bool areBalls_ = false;
+  std::span<const ContactMemory::Kept> left_;
+};
+
 }  // namespace
 
 void Crowd::step(const CrowdInput& in, Balls& balls, ThreadPool& pool, Books* books) {
@@ -43,7 +67,7 @@ void Crowd::step(const CrowdInput& in, Balls& balls, ThreadPool& pool, Books* bo
   rules_ = {h, in.settings.elasticity, in.settings.friction, *in.model.arena, 0};
   threads_ = static_cast<std::size_t>(pool.threads());
   gather(in, balls, pool);
-  planBlocks(threads_);
+  planGroups();
   for (int n = 0; n < substeps; ++n) {
     rules_.substep = static_cast<std::uint32_t>(n + 1);
     isLastSubstep_ = n + 1 == substeps;
@@ -101,12 +125,12 @@ void Crowd::gather(const CrowdInput& in, const Balls& balls, ThreadPool& pool) {
   batches_.split(pairs, island_, placeOf_);
   makeRoomFor(lasting_, pairs.size() + threads_);
   makeRoomFor(touchedIn_, pairs.size() + threads_);
-  makeRoomFor(touching_, pairs.size() + 1);
   const double scale = in.memory.scaleTo(rules_.h);
   const auto slots = batches_.slots();
   pool.forRanges(pairs.size(), kLeastPairs, [&](std::size_t begin, std::size_t end, std::size_t) {
+    OldContacts old(in.memory);
     for (std::size_t n = begin; n < end; ++n) {
-      const ContactMemory::Kept* const kept = in.memory.find(pairs[n].a, pairs[n].b);
+      const ContactMemory::Kept* const kept = old.find(pairs[n]);
       touchedIn_[slots[n]] = kept ? 0 : kNever;
       if (!kept) continue;
       const Vec3 tangent = scale * kept->tangentImpulse;
@@ -119,28 +143,22 @@ void Crowd::gather(const CrowdInput& in, const Balls& balls, ThreadPool& pool) {
   }
 }
 
-/// Where the blocks of each batch are, and who goes through them.
-void Crowd::planBlocks(std::size_t threads) {
+/// Who goes through which batches.
+void Crowd::planGroups() {
   groups_.clear();
-  firstBlock_.clear();
-  std::size_t blocks = 0;
   const auto batches = batches_.batches();
   for (std::size_t n = 0; n < batches.size(); ++n) {
     const std::size_t size = batches[n].last - batches[n].first;
-    firstBlock_.push_back(blocks);
-    blocks += (size + kContactLanes - 1) / kContactLanes;
-    const Sharing sharing = batches[n].tile != kNoTile           ? Sharing::Tiles
-                            : threads > 1 && size >= kLeastPairs ? Sharing::Batch
-                                                                 : Sharing::Nothing;
+    const Sharing sharing = batches[n].tile != kNoTile            ? Sharing::Tiles
+                            : threads_ > 1 && size >= kLeastPairs ? Sharing::Batch
+                                                                  : Sharing::Nothing;
     if (!groups_.empty() && groups_.back().sharing == sharing && sharing != Sharing::Batch)
       groups_.back().last = n + 1;
     else
       groups_.push_back({n, n + 1, sharing});
   }
-  makeRoomFor(blocks_, blocks);
-  makeRoomFor(flights_, blocks);
-  parts_.assign(batches.size() * threads, {});
-  found_.assign(threads, {});
+  parts_.assign(batches.size() * threads_, {});
+  if (workers_.size() < threads_) workers_.resize(threads_);
 }
 
 CrowdArrays Crowd::arraysOf(std::size_t thread) {
@@ -219,8 +237,9 @@ bool Crowd::takesPart(std::size_t thread, Sharing sharing, const ContactBatch& b
 void Crowd::prepare(std::size_t thread, Barrier& barrier) {
   const CrowdArrays arrays = arraysOf(thread);
   const auto batches = batches_.batches();
-  Found& found = found_[thread];
-  found = {};
+  Worker& worker = workers_[thread];
+  worker.substep = {};
+  worker.used = 0;
   for (const Group& group : groups_) {
     for (std::size_t n = group.first; n < group.last; ++n) {
       if (!takesPart(thread, group.sharing, batches[n])) continue;
@@ -228,15 +247,18 @@ void Crowd::prepare(std::size_t thread, Barrier& barrier) {
       const IndexRange range = group.sharing == Sharing::Batch
                                    ? partOf(last - first, kContactLanes, thread, threads_)
                                    : IndexRange{0, last - first};
-      std::uint32_t* const touching = touching_.data() + first + range.begin;
+      makeRoomFor(worker.touching, range.end - range.begin);
       const std::size_t count =
           findTouching(partner, rules_, arrays, first + static_cast<std::uint32_t>(range.begin),
-                       first + static_cast<std::uint32_t>(range.end), touching);
+                       first + static_cast<std::uint32_t>(range.end), worker.touching.data());
       Part& part = parts_[n * threads_ + thread];
-      part = {firstBlock_[n] + range.begin / kContactLanes,
-              (count + kContactLanes - 1) / kContactLanes};
-      prepareContacts(partner, rules_, arrays, {touching, count}, blocks_.data() + part.first,
-                      flights_.data() + part.first, found.substep);
+      part = {worker.used, (count + kContactLanes - 1) / kContactLanes};
+      worker.used += part.count;
+      makeRoomFor(worker.blocks, worker.used);
+      makeRoomFor(worker.flights, worker.used);
+      prepareContacts(partner, rules_, arrays, {worker.touching.data(), count},
+                      worker.blocks.data() + part.first, worker.flights.data() + part.first,
+                      worker.substep);
     }
   }
   barrier.wait();
@@ -244,9 +266,9 @@ void Crowd::prepare(std::size_t thread, Barrier& barrier) {
 
 CrowdSubstep Crowd::substepOfAll() const {
   CrowdSubstep all;
-  for (const Found& found : found_) {
-    all.anyImpact = all.anyImpact || found.substep.anyImpact;
-    all.builtUp = std::max(all.builtUp, found.substep.builtUp);
+  for (const Worker& worker : std::span(workers_).first(threads_)) {
+    all.anyImpact = all.anyImpact || worker.substep.anyImpact;
+    all.closing = std::max(all.closing, worker.substep.closing);
   }
   return all;
 }
@@ -254,38 +276,43 @@ CrowdSubstep Crowd::substepOfAll() const {
 void Crowd::solve(const Settings& settings, std::size_t thread, Barrier& barrier) {
   const CrowdArrays arrays = arraysOf(thread);
   forEachPart(thread, barrier, [&](std::size_t, PartnerKind partner, const Part& part) {
-    startFromLasting(partner, rules_, arrays, blocksOf(part));
+    startFromLasting(partner, rules_, arrays, blocksOf(thread, part));
   });
   const CrowdSubstep substep = substepOfAll();
-  const bool rests = !substep.anyImpact;
-  const Watch watch = rests ? Watch::Changes : Watch::No;
-  const int most = rests ? std::max(settings.iterations, kPassesAtRest) : settings.iterations;
+  // Impacts that lose nothing gain energy until they are solved.
+  const bool isLossless = substep.anyImpact && rules_.elasticity == 1;
+  const bool isToBeSolved = !substep.anyImpact || isLossless;
+  const Watch watch = isToBeSolved ? Watch::Changes : Watch::No;
+  const int wanted = isLossless ? kPassesLossless : isToBeSolved ? kPassesAtRest : 1;
+  const int most = std::max(settings.iterations, wanted);
   for (int pass = 0; pass < most; ++pass) {
     // The other parity may still be read by a thread that is late.
-    double& changed = found_[thread].changed[pass % 2];
+    double& changed = workers_[thread].changed[pass % 2];
     changed = 0;
     forEachPart(thread, barrier, [&](std::size_t, PartnerKind partner, const Part& part) {
-      changed = std::max(changed, solveContacts(partner, watch, rules_, arrays, blocksOf(part)));
+      changed =
+          std::max(changed, solveContacts(partner, watch, rules_, arrays, blocksOf(thread, part)));
     });
-    if (!rests) continue;
-    double most_changed = 0;
-    for (const Found& found : found_)
-      most_changed = std::max(most_changed, found.changed[pass % 2]);
-    if (!(most_changed > kSolved * substep.builtUp)) return;
+    if (!isToBeSolved) continue;
+    double mostChanged = 0;
+    for (const Worker& worker : std::span(workers_).first(threads_))
+      mostChanged = std::max(mostChanged, worker.changed[pass % 2]);
+    if (!(mostChanged > kSolved * substep.closing)) return;
   }
 }
 
 void Crowd::shift(std::size_t thread, Barrier& barrier) {
   const CrowdArrays arrays = arraysOf(thread);
   forEachPart(thread, barrier, [&](std::size_t, PartnerKind partner, const Part& part) {
-    shiftByForces(partner, rules_, arrays, blocksOf(part), flights_.data() + part.first);
+    shiftByForces(partner, rules_, arrays, blocksOf(thread, part),
+                  workers_[thread].flights.data() + part.first);
   });
 }
 
 void Crowd::pushOut(std::size_t thread, Barrier& barrier) {
   const CrowdArrays arrays = arraysOf(thread);
   forEachPart(thread, barrier, [&](std::size_t, PartnerKind partner, const Part& part) {
-    pushOverlapsOut(partner, rules_, arrays, blocksOf(part));
+    pushOverlapsOut(partner, rules_, arrays, blocksOf(thread, part));
   });
   if (thread == 0 && isLastSubstep_) keepInArena();
 }

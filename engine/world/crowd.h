@@ -44,7 +44,7 @@ class Crowd {
   void setClock(StageClock* clock) { clock_ = clock; }
 
  private:
-  /// Blocks of one batch that one thread has filled.
+  /// Those blocks of a worker that it has filled with a batch.
   struct Part {
     std::size_t first = 0;
     std::size_t count = 0;
@@ -57,14 +57,18 @@ class Crowd {
     std::size_t last;
     Sharing sharing;
   };
-  /// What a thread found; on a cache line of its own.
-  struct alignas(64) Found {
-    CrowdSubstep substep;
-    double changed[2] = {0, 0};  // m/s, by parity of the pass
+  /// What a thread has to itself; on cache lines of its own.
+  struct alignas(64) Worker {
+    CrowdSubstep substep;                 // what it found
+    double changed[2] = {0, 0};           // m/s, by parity of the pass
+    std::size_t used = 0;                 // of the blocks
+    std::vector<ContactBlock> blocks;     // with room for more
+    std::vector<ContactFlight> flights;   // of the same contacts
+    std::vector<std::uint32_t> touching;  // scratch
   };
 
   void gather(const CrowdInput& in, const Balls& balls, ThreadPool& pool);
-  void planBlocks(std::size_t threads);
+  void planGroups();
   CrowdArrays arraysOf(std::size_t thread);
   // By all threads.
   void runSubstep(const CrowdInput& in, double start, ThreadPool& pool);
@@ -78,8 +82,8 @@ class Crowd {
   /// Calls action(number of the batch, its partner, part) for each part that is the thread's.
   template <class Action>
   void forEachPart(std::size_t thread, Barrier& barrier, Action action);
-  std::span<ContactBlock> blocksOf(const Part& part) {
-    return std::span(blocks_).subspan(part.first, part.count);
+  std::span<ContactBlock> blocksOf(std::size_t thread, const Part& part) {
+    return std::span(workers_[thread].blocks).subspan(part.first, part.count);
   }
   CrowdSubstep substepOfAll() const;
   void scatter(Balls& balls, IndexRange range) const;
@@ -114,14 +118,10 @@ class Crowd {
   ContactBatches batches_;
   std::vector<LastingImpulse> lasting_;
   std::vector<std::uint32_t> touchedIn_;
-  std::vector<std::uint32_t> touching_;
   // By batch.
   std::vector<Group> groups_;
-  std::vector<Part> parts_;  // of each batch, by thread
-  std::vector<std::size_t> firstBlock_;
-  std::vector<ContactBlock> blocks_;
-  std::vector<ContactFlight> flights_;
-  std::vector<Found> found_;  // by thread
+  std::vector<Part> parts_;      // of each batch, by thread
+  std::vector<Worker> workers_;  // by thread
 };
 
 }  // namespace wells

@@ -67,16 +67,17 @@ Books Crowd::booksOfImpulses(const PathModel& model, const Balls& balls) {
   const Ledger ledger{&books, model.arena->center};
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     const PartnerKind kind = batches_.batches()[p / threads_].partner;
+    const Worker& worker = workers_[p % threads_];
     for (std::size_t n = parts_[p].first; n < parts_[p].first + parts_[p].count; ++n) {
-      const ContactBlock& block = blocks_[n];
+      const ContactBlock& block = worker.blocks[n];
       for (std::size_t lane = 0; lane < block.count; ++lane) {
         Contact c{.a = island_[block.a[lane]],
                   .b = kind == PartnerKind::Ball ? island_[block.b[lane]] : partnerOf(kind),
                   .normal = {block.nx[lane], block.ny[lane], block.nz[lane]},
-                  .gap = flights_[n].gap[lane],
-                  .impact = flights_[n].lasts[lane] == 0,
-                  .builtUp = flights_[n].builtUp[lane],
-                  .closingFlown = flights_[n].closing[lane],
+                  .gap = worker.flights[n].gap[lane],
+                  .impact = worker.flights[n].lasts[lane] == 0,
+                  .builtUp = worker.flights[n].builtUp[lane],
+                  .closingFlown = worker.flights[n].closing[lane],
                   .normalImpulse = block.normal[lane],
                   .tangentImpulse = {block.tx[lane], block.ty[lane], block.tz[lane]}};
         c.share = shareAlone(c, balls);

@@ -238,7 +238,7 @@ TEST_P(CrowdKernels, TheGroundBearsABallAtRest) {
   }
   crowd.resolve(1);
   EXPECT_FALSE(crowd.substep.anyImpact);
-  EXPECT_NEAR(crowd.substep.builtUp, -gain, 1e-15);
+  EXPECT_NEAR(crowd.substep.closing, -gain, 1e-15);
   for (std::uint32_t n = 0; n < kPairs; ++n) {
     const BallState state = crowd.state(n);
     EXPECT_LE(length(state.velocity), 1e-15);

@@ -23,7 +23,7 @@ double furthest(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
 // Nothing but contacts brings them to rest: nothing sleeps. What is left is that the pull varies
 // over the 0.1 mm by which a ball falls and is lifted again in a substep.
 TEST(Heaps, ComeToRestAndDoNotCreep) {
-  World world = makeWellsCrowd(kBalls, 2);
+  World world = makeWellsCrowd(kBalls, 4);
   world.settings.sleepSpeed = 0;
   const auto simulation = makeSimulation();
   while (world.time() < 15) simulation->step(world);

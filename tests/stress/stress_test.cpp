@@ -56,7 +56,8 @@ TEST_P(Stress, IsHeld) {
   const ContactMethod method = *contactMethod(std::get<1>(GetParam()));
   if (!isPromised(stress, method)) GTEST_SKIP() << "not promised";
   const auto setMethod = [&](World& world) { world.settings.contactMethod = method; };
-  const StressResult result = runStress(stress, makeSimulation, kMostTime, setMethod);
+  const StressResult result = runStress(
+      stress, [] { return makeSimulation(); }, kMostTime, setMethod);
   EXPECT_EQ(verdict(stress, result), "held")
       << "gain " << result.gain << " J, relative " << result.relativeGain << ", lost "
       << result.lost << ", not finite " << result.notFinite
