@@ -34,8 +34,8 @@ class IslandPasses {
     double normalMass, inverseNormalMass;  // kg, 1/kg
     double bounceSpeed;                    // m/s
     double inverseTurning;                 // 1/(kg m^2)
-    double normalImpulse;
-    Vec3 tangentImpulse, rollingImpulse;
+    double normalImpulse;                  // N s
+    Vec3 tangentImpulse, rollingImpulse;   // N s, N m s
   };
   static constexpr std::uint32_t kArena = 0;
 

@@ -2,7 +2,7 @@
 // them goes on with the same bits. Not a message (a session's peers send balls, not worlds), and no
 // files: those are the program's.
 //
-// Format 2, little-endian, no padding:
+// Format 3, little-endian, no padding:
 //   8 bytes  "wellsnap"
 //   u32      format version
 //   u64      length of the whole in bytes
