@@ -190,8 +190,9 @@ void Broadphase::removeProxy(std::uint32_t ball) {
 }
 
 void Broadphase::update(const World& world, std::span<const double> reach,
-                        std::span<const std::uint32_t> among) {
+                        std::span<const std::uint32_t> among, ThreadPool* threads) {
   if (!isBuiltFor(world)) build(world);
+  if (proxies_->grid) proxies_->grid->setThreads(threads);
   removed_ = 0;
   moved_ = 0;
   if (proxies_->grid)

@@ -14,6 +14,7 @@
 
 #include "broadphase/ball_pair.h"
 #include "state/world.h"
+#include "threads/thread_pool.h"
 
 namespace wells {
 
@@ -35,7 +36,7 @@ class Broadphase {
   /// take part: all that did so in the last update and have not been removed since, and any others.
   /// O(among), and what their pairs cost.
   void update(const World& world, std::span<const double> reach,
-              std::span<const std::uint32_t> among);
+              std::span<const std::uint32_t> among, ThreadPool* threads = nullptr);
 
   /// These take no part from the next update on, until they are among its balls again.
   void remove(std::span<const std::uint32_t> balls);

@@ -99,8 +99,14 @@ void GridBroadphase::search() {
   grid_.sort(proxies_);
   lookAtSlots();
   found_.resize((grid_.slots() + kRange - 1) / kRange);
-  for (std::uint32_t n = 0; n < found_.size(); ++n)
-    grid_.find({n * kRange, std::min((n + 1) * kRange, grid_.slots())}, found_[n]);
+  const auto find = [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (auto n = static_cast<std::uint32_t>(begin); n < end; ++n)
+      grid_.find({n * kRange, std::min((n + 1) * kRange, grid_.slots())}, found_[n]);
+  };
+  if (threads_)
+    threads_->forRanges(found_.size(), 1, find);
+  else
+    find(0, found_.size(), 0);
   searchLarge();
 }
 

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "broadphase/cell_grid.h"
+#include "threads/thread_pool.h"
 
 namespace wells {
 
@@ -39,6 +40,10 @@ class GridBroadphase final : public btBroadphaseInterface {
                 btBroadphaseAabbCallback& callback) override;
 
   void calculateOverlappingPairs(btDispatcher* dispatcher) override;
+
+  /// Whose threads search, until another is set; must outlive that. Null: the caller's alone.
+  void setThreads(ThreadPool* threads) { threads_ = threads; }
+
   btOverlappingPairCache* getOverlappingPairCache() override { return cache_; }
   const btOverlappingPairCache* getOverlappingPairCache() const override { return cache_; }
   void getBroadphaseAabb(btVector3& low, btVector3& high) const override;
@@ -94,6 +99,7 @@ class GridBroadphase final : public btBroadphaseInterface {
   void searchLarge();
   void fillCache(btDispatcher* dispatcher);
 
+  ThreadPool* threads_ = nullptr;
   btNullPairCache noCache_;
   btOverlappingPairCache* cache_;  // never null
   std::deque<Proxy> pool_;

@@ -13,7 +13,7 @@ namespace wells {
 /// geodetic data base", IBM 1966). It depends on positions and ids alone.
 class SpatialOrder {
  public:
-  /// `ids` rise; their positions are finite.
+  /// `ids` rise, one at least; their positions are finite.
   void sort(const Balls& balls, std::span<const std::uint32_t> ids);
 
   std::span<const std::uint32_t> ids() const { return sorted_; }

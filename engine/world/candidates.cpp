@@ -1,6 +1,7 @@
 #include "world/candidates.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "contacts/contact.h"
@@ -8,6 +9,8 @@
 
 namespace wells {
 namespace {
+
+constexpr std::size_t kLeastRange = 1024;  // balls or pairs, that a thread looks at
 
 // Of Candidates::nearArena_.
 constexpr std::uint8_t kNearGround = 1;
@@ -19,21 +22,24 @@ constexpr std::size_t kFew = 48;
 }  // namespace
 
 void Candidates::find(const World& world, std::span<const double> reach,
-                      std::span<const std::uint32_t> among) {
+                      std::span<const std::uint32_t> among, ThreadPool& threads) {
   const Balls& balls = world.balls;
   spheres_.resize(balls.size());
   isLeaning_.resize(balls.size());
-  for (const std::uint32_t i : among) {
-    isLeaning_[i] = 0;
-    spheres_[i] = {balls.position[i], balls.radius[i] + reach[i]};
-  }
+  threads.forRanges(among.size(), kLeastRange,
+                    [&](std::size_t begin, std::size_t end, std::size_t) {
+                      for (const std::uint32_t i : among.subspan(begin, end - begin)) {
+                        isLeaning_[i] = 0;
+                        spheres_[i] = {balls.position[i], balls.radius[i] + reach[i]};
+                      }
+                    });
   leaningPairs_.clear();
   areFew_ = among.size() <= kFew && world.roles.empty() &&
             world.settings.broadphase == BroadphaseKind::Auto;
   if (areFew_) return findAmongFew(world, reach, among);
-  broadphase_.update(world, reach, among);
+  broadphase_.update(world, reach, among, &threads);
   if (world.roles.empty())
-    findBalls();
+    findBalls(threads);
   else
     findBallsAndLeaning(world);
   findArena(world, reach, among);
@@ -45,17 +51,29 @@ std::int64_t Candidates::pairs() const {
                                    broadphase_.nearGround().size() + broadphase_.nearWall().size());
 }
 
-void Candidates::findBalls() {
+void Candidates::findBalls(ThreadPool& threads) {
   const std::vector<BallPair>& pairs = broadphase_.ballPairs();
   ballPairs_.resize(pairs.size());
+  std::array<IndexRange, kMostThreads> found;
+  const auto collect = [&](std::size_t begin, std::size_t end, std::size_t range) {
+    std::size_t count = begin;
+    // Without a branch for each: whether a pair is near cannot be foretold.
+    for (std::size_t n = begin; n < end; ++n) {
+      const Sphere& a = spheres_[pairs[n].a];
+      const Sphere& b = spheres_[pairs[n].b];
+      const double bound = a.radius + b.radius;
+      ballPairs_[count] = pairs[n];
+      count += squaredLength(b.center - a.center) <= bound * bound ? 1 : 0;
+    }
+    found[range] = {begin, count};
+  };
+  threads.forRanges(pairs.size(), kLeastRange, collect);
+  // What the ranges found stands with gaps between.
   std::size_t count = 0;
-  // Without a branch for each: whether a pair is near cannot be foretold.
-  for (const BallPair& pair : pairs) {
-    const Sphere& a = spheres_[pair.a];
-    const Sphere& b = spheres_[pair.b];
-    const double bound = a.radius + b.radius;
-    ballPairs_[count] = pair;
-    count += squaredLength(b.center - a.center) <= bound * bound ? 1 : 0;
+  for (std::size_t range = 0; range < threads.ranges(pairs.size(), kLeastRange); ++range) {
+    const auto [begin, end] = found[range];
+    std::copy(ballPairs_.begin() + begin, ballPairs_.begin() + end, ballPairs_.begin() + count);
+    count += end - begin;
   }
   ballPairs_.resize(count);
 }

@@ -8,6 +8,7 @@
 
 #include "broadphase/broadphase.h"
 #include "state/world.h"
+#include "threads/thread_pool.h"
 
 namespace wells {
 
@@ -19,8 +20,14 @@ class Candidates {
   /// Lists the pairs that may touch in a step. reach[i] (m) bounds how far ball i moves in it; NaN:
   /// the ball is in no pair. `among` are the balls that take part, rising ids, as Broadphase has
   /// it.
+  void find(const World& world, std::span<const double> reach, std::span<const std::uint32_t> among,
+            ThreadPool& threads);
+  /// The same, by the caller's thread alone.
   void find(const World& world, std::span<const double> reach,
-            std::span<const std::uint32_t> among);
+            std::span<const std::uint32_t> among) {
+    ThreadPool alone;
+    find(world, reach, among, alone);
+  }
 
   /// These take no part from the next find() on, until they are among its balls again.
   void remove(std::span<const std::uint32_t> balls) { broadphase_.remove(balls); }
@@ -47,7 +54,7 @@ class Candidates {
     double radius;  // m
   };
 
-  void findBalls();
+  void findBalls(ThreadPool& threads);
   /// All at once, without the broadphase.
   void findAmongFew(const World& world, std::span<const double> reach,
                     std::span<const std::uint32_t> among);

@@ -35,11 +35,13 @@ void ContactMemory::forget(double substep) {
 
 void ContactMemory::add(const Contact& c) {
   if (c.impact || !(c.normalImpulse > 0)) return;
-  add({c.a, c.b, c.normalImpulse, c.tangentImpulse, c.rollingImpulse});
+  const Kept kept{c.a, c.b, c.normalImpulse, c.tangentImpulse, c.rollingImpulse};
+  add({&kept, 1});
 }
 
-void ContactMemory::add(const Kept& contact) {
-  if (isFiniteImpulse(contact)) kept_.push_back(contact);
+void ContactMemory::add(std::span<const Kept> contacts) {
+  for (const Kept& contact : contacts)
+    if (isFiniteImpulse(contact)) kept_.push_back(contact);
 }
 
 void ContactMemory::arrange() {
@@ -72,8 +74,7 @@ void ContactMemory::save(StepperMemory& memory) const {
 void ContactMemory::restore(const StepperMemory& memory) {
   substep_ = memory.substep;
   kept_.clear();
-  for (const auto* contacts : {&memory.ballContacts, &memory.arenaContacts})
-    for (const Kept& c : *contacts) add(c);
+  for (const auto* contacts : {&memory.ballContacts, &memory.arenaContacts}) add(*contacts);
   arrange();
 }
 

@@ -38,7 +38,7 @@ class ContactMemory {
   // added.
   void forget(double substep);
   void add(const Contact& contact);
-  void add(const Kept& contact);
+  void add(std::span<const Kept> contacts);
   void arrange();
 
   /// Takes out the contacts of balls for which mustGo(ball); calls taken(contact) for each, in

@@ -351,18 +351,25 @@ void Crowd::scatter(Balls& balls, IndexRange range) const {
   }
 }
 
-void Crowd::keep(std::span<const BallPair> pairs, ContactMemory& memory) const {
+void Crowd::keep(std::span<const BallPair> pairs, ThreadPool& pool, ContactMemory& memory) {
   const auto slots = batches_.slots();
-  for (std::size_t n = 0; n < pairs.size(); ++n) {
-    const std::uint32_t slot = slots[n];
-    const LastingImpulse& lasting = lasting_[slot];
-    if (touchedIn_[slot] != rules_.substep || !(lasting.normal > 0)) continue;
-    memory.add({pairs[n].a,
-                pairs[n].b,
-                lasting.normal,
-                {lasting.tx, lasting.ty, lasting.tz},
-                Vec3::Zero()});
-  }
+  const auto collect = [&](std::size_t begin, std::size_t end, std::size_t range) {
+    std::vector<ContactMemory::Kept>& kept = workers_[range].kept;
+    kept.clear();
+    for (std::size_t n = begin; n < end; ++n) {
+      const std::uint32_t slot = slots[n];
+      const LastingImpulse& lasting = lasting_[slot];
+      if (touchedIn_[slot] != rules_.substep || !(lasting.normal > 0)) continue;
+      kept.push_back({pairs[n].a,
+                      pairs[n].b,
+                      lasting.normal,
+                      {lasting.tx, lasting.ty, lasting.tz},
+                      Vec3::Zero()});
+    }
+  };
+  pool.forRanges(pairs.size(), kLeastPairs, collect);
+  for (std::size_t range = 0; range < pool.ranges(pairs.size(), kLeastPairs); ++range)
+    memory.add(workers_[range].kept);
 }
 
 }  // namespace wells

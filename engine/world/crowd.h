@@ -38,7 +38,7 @@ class Crowd {
   void step(const CrowdInput& in, Balls& balls, ThreadPool& pool, Books* books);
 
   /// Adds the contacts that lasted to the end of the last step, in the order of the pairs.
-  void keep(std::span<const BallPair> pairs, ContactMemory& memory) const;
+  void keep(std::span<const BallPair> pairs, ThreadPool& pool, ContactMemory& memory);
 
   /// Null: none.
   void setClock(StageClock* clock) { clock_ = clock; }
@@ -59,12 +59,13 @@ class Crowd {
   };
   /// What a thread has to itself; on cache lines of its own.
   struct alignas(64) Worker {
-    CrowdSubstep substep;                 // what it found
-    double changed[2] = {0, 0};           // m/s, by parity of the pass
-    std::size_t used = 0;                 // of the blocks
-    std::vector<ContactBlock> blocks;     // with room for more
-    std::vector<ContactFlight> flights;   // of the same contacts
-    std::vector<std::uint32_t> touching;  // scratch
+    CrowdSubstep substep;                   // what it found
+    double changed[2] = {0, 0};             // m/s, by parity of the pass
+    std::size_t used = 0;                   // of the blocks
+    std::vector<ContactBlock> blocks;       // with room for more
+    std::vector<ContactFlight> flights;     // of the same contacts
+    std::vector<std::uint32_t> touching;    // scratch
+    std::vector<ContactMemory::Kept> kept;  // likewise
   };
 
   void gather(const CrowdInput& in, const Balls& balls, ThreadPool& pool);

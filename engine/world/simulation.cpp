@@ -266,7 +266,7 @@ class Simulation : public Stepper {
       crowd_.step({world.settings, input.model, island, islands_.pairs(n), candidates_.isLeaning(),
                    contactMemory_},
                   world.balls, *pool_, keeper_.books() ? &stepBooks_ : nullptr);
-      crowd_.keep(islands_.pairs(n), nextMemory_);
+      crowd_.keep(islands_.pairs(n), *pool_, nextMemory_);
       counts_.substepBalls += static_cast<std::int64_t>(island.size());
       markDone(n);
     }
@@ -294,7 +294,7 @@ class Simulation : public Stepper {
 
   void findPairs(const World& world) {
     StageScope stage(clock_.get(), Stage::Candidates);
-    candidates_.find(world, reach_, sleep_.awake());
+    candidates_.find(world, reach_, sleep_.awake(), *pool_);
     stage.next(Stage::Islands);
     counts_.candidatePairs = candidates_.pairs();
     counts_.contacts =
