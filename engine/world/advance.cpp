@@ -3,7 +3,8 @@
 namespace wells {
 namespace {
 
-constexpr std::size_t kLeastFlight = 256;  // balls, in which a thread flies
+// Waking a thread takes as long as the flight of some thousand balls.
+constexpr std::size_t kLeastFlight = 8192;
 
 }  // namespace
 

@@ -346,7 +346,8 @@ class Simulation : public Stepper {
     }
   }
 
-  static constexpr std::size_t kLeastRange = 256;  // balls, in which a thread prepares
+  // Balls that a thread prepares: waking it takes as long as some thousand.
+  static constexpr std::size_t kLeastRange = 8192;
   static constexpr double kSurelyWithin = 0.999;   // of the square of a reach
 
   const SimulationOptions options_;
