@@ -30,7 +30,7 @@ std::string name(const SpeedMethod& method) {
   std::string text = "ours";
   if (!method.contacts.empty()) text += " " + method.contacts;
   if (method.substeps > 0) text += fmt::format(" {}x{}", method.substeps, method.iterations);
-  if (method.threads > 1) text += fmt::format(", {} threads", method.threads);
+  if (method.threads > 1) text += fmt::format(" on {} threads", method.threads);
   return text;
 }
 

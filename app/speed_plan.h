@@ -26,7 +26,7 @@ struct SpeedMethod {
   friend bool operator==(const SpeedMethod&, const SpeedMethod&) = default;
 };
 
-/// "stock Bullet", "ours", "ours exact", "ours 4x1" (substeps x passes), "ours, 2 threads".
+/// "stock Bullet", "ours", "ours exact", "ours 4x1" (substeps x passes), "ours on 2 threads".
 std::string name(const SpeedMethod& method);
 
 /// The options of "bench" that ask for it.

@@ -109,7 +109,7 @@ TEST_F(SpeedTables, HaveARowForEachMethod) {
 
 TEST_F(SpeedTables, PlotEachMethodThatRanAndTheLineOf60Hz) {
   const std::string script = speedScript(std::span(&result_, 1));
-  for (const char* part : {"title 'stock Bullet'", "title 'ours'", "title 'ours, 2 threads'",
+  for (const char* part : {"title 'stock Bullet'", "title 'ours'", "title 'ours on 2 threads'",
                            "1000.0/60", "set logscale xy"})
     EXPECT_NE(script.find(part), std::string::npos) << part;
   EXPECT_EQ(script.find("exact"), std::string::npos);
@@ -122,7 +122,7 @@ TEST(SpeedPlan, NamesMethodsAndAsksForThem) {
   method.substeps = 4;
   method.iterations = 1;
   method.threads = 2;
-  EXPECT_EQ(name(method), "ours 4x1, 2 threads");
+  EXPECT_EQ(name(method), "ours 4x1 on 2 threads");
   EXPECT_EQ(arguments(method), (std::vector<std::string>{"--engine", "ours", "--substeps", "4",
                                                          "--iterations", "1", "--threads", "2"}));
   Settings settings;

@@ -84,7 +84,7 @@ class Bench(unittest.TestCase):
                    "--threads", "1,2", "--out", folder)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         rows = self.read(folder / "speed.csv")
-        methods = ["stock Bullet", "ours", "ours, 2 threads", "ours substep", "ours exact"]
+        methods = ["stock Bullet", "ours", "ours on 2 threads", "ours substep", "ours exact"]
         self.assertEqual([(row["scene"], row["method"]) for row in rows],
                          [(scene, method) for scene in ("T1-25", "T3-10000") for method in methods])
         self.assertEqual({row["escaped"] for row in rows}, {"0"})
