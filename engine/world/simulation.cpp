@@ -348,7 +348,7 @@ class Simulation : public Stepper {
 
   // Balls that a thread prepares: waking it takes as long as some thousand.
   static constexpr std::size_t kLeastRange = 8192;
-  static constexpr double kSurelyWithin = 0.999;   // of the square of a reach
+  static constexpr double kSurelyWithin = 0.999;  // of the square of a reach
 
   const SimulationOptions options_;
   ThreadPool one_;
