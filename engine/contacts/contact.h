@@ -84,11 +84,6 @@ inline void touchArena(const Arena& arena, const Balls& balls, Contact& c) {
   c.gap = arena.radius - balls.radius[c.a] - fromAxis;
 }
 
-/// By (a, b), the order of every list of contacts in a step.
-inline bool isBefore(const Contact& x, const Contact& y) {
-  return x.a != y.a ? x.a < y.a : x.b < y.b;
-}
-
 inline void touch(const Arena& arena, const Balls& balls, Contact& c) {
   if (isBall(c.b))
     touchBalls(balls, c);

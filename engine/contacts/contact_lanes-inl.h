@@ -47,11 +47,6 @@ HWY_INLINE V set(double value) {
 HWY_INLINE V load(const double* at) {
   return hn::Load(kTag, at);
 }
-HWY_INLINE V3 cross(const V3& a, const V3& b) {
-  return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)),
-          hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
-          hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
-}
 HWY_INLINE V3 choose(M which, const V3& a, const V3& b) {
   return {hn::IfThenElse(which, a.x, b.x), hn::IfThenElse(which, a.y, b.y),
           hn::IfThenElse(which, a.z, b.z)};

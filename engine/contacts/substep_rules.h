@@ -16,16 +16,17 @@ inline constexpr double kDeepestInArena = 0.99;
 /// substep, each loses the impulse that it had found, and the heap creeps for ever.
 inline constexpr double kLeftOverlap = 1e-3;
 
+/// An island is solved when a pass changes no velocity by more than this of what forces gave in the
+/// substep, or of what an impact closes with.
+inline constexpr double kSolved = 1e-12;
+
 /// Passes that an island without impacts that does not move is given until it is solved, if the
 /// settings give fewer: there impulses last, and what one substep finds serves the next. Until then
-/// a heap that should stand creeps. An island is solved when a pass changes no velocity by more
-/// than kSolved of what forces gave in the substep.
+/// a heap that should stand creeps.
 inline constexpr int kPassesAtRest = 16;
 
 /// Likewise where impacts of restitution 1 happen: what is not solved yet gains energy.
 inline constexpr int kPassesLossless = 256;
-
-inline constexpr double kSolved = 1e-12;
 
 /// What is further apart than this (of a radius) does not touch; and where forces move a ball
 /// further within a substep, substeps are too coarse to tell what rests.

@@ -71,6 +71,11 @@ HWY_INLINE hn::Vec<D> dot(const WideVector<D>& a, const WideVector<D>& b) {
 }
 
 template <class D>
+HWY_INLINE WideVector<D> cross(const WideVector<D>& a, const WideVector<D>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+template <class D>
 HWY_INLINE hn::Vec<D> squaredLength(const WideVector<D>& a) {
   return dot(a, a);
 }

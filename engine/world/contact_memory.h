@@ -14,9 +14,6 @@ class ContactMemory {
  public:
   using Kept = StepperMemory::Contact;
 
-  /// True before any step.
-  bool isEmpty() const { return substep_ == 0; }
-
   /// Those of a ball a with balls follow each other, by b, and so do those with ground and wall.
   std::span<const Kept> contacts() const { return kept_; }
 
@@ -28,7 +25,7 @@ class ContactMemory {
   const Kept* find(std::uint32_t a, std::uint32_t b) const;
 
   /// What rests needs the same force, so an impulse in proportion to the substep (s) at hand.
-  double scaleTo(double substep) const { return isEmpty() ? 1 : substep / substep_; }
+  double scaleTo(double substep) const { return substep_ == 0 ? 1 : substep / substep_; }
 
   /// Gives a contact of a step that begins, with substeps of `substep` s, the impulses that it had.
   void start(Contact& contact, double substep) const;
