@@ -9,11 +9,6 @@
 namespace wells {
 namespace {
 
-/// m/s^2, the strongest pull of a well: at softening / sqrt(2) from it.
-double strongestPull(const Well& well) {
-  return 2 / (3 * std::sqrt(3.0)) * std::abs(well.strength) / (well.softening * well.softening);
-}
-
 /// A bound (m/s) on the speed of a ball, and on that of its surface by spin over
 /// sqrt(kInertiaFactor), for `duration` seconds in which nothing pulls it by more than `strongest`
 /// (m/s^2): friction may turn spin into speed, but adds no energy.
