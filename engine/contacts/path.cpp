@@ -5,6 +5,7 @@
 
 #include "contacts/held_motion.h"
 #include "contacts/support.h"
+#include "forces/pull_bound.h"
 
 namespace wells {
 namespace {
@@ -19,35 +20,16 @@ double fastest(const Path& path, const BallState& ball, double strongest, double
   return std::sqrt(energy) + strongest * duration;
 }
 
-/// By a well at that distance, to or from which the ball gets by no more than `way` (m). It pulls
-/// most at softening / sqrt(2); further away ever less, and nearer ever less.
-double pullBound(const Well& well, double distance, double way) {
-  const double e2 = well.softening * well.softening;
-  const double least = distance - way;
-  const double most = distance + way;
-  const double worst = least > 0 && 2 * least * least > e2 ? least
-                       : 2 * most * most < e2              ? most
-                                                           : 0;
-  if (worst == 0) return strongestPull(well);
-  const double s2 = worst * worst + e2;
-  return std::abs(well.strength) * worst / (s2 * std::sqrt(s2));
-}
-
 /// By wells and drag.
-double pullBound(const PathModel& model, const Path& path, const BallState& ball, double t,
-                 double duration) {
+double pullBoundOf(const PathModel& model, const Path& path, const BallState& ball, double t,
+                   double duration) {
   const Field& field = *model.field;
   if (field.wells.empty() && model.drag == 1) return 0;
   double strongest = length(field.gravity);
-  for (const Well& well : field.wells) strongest += strongestPull(well);
+  for (const WellBlock& block : field.wells.blocks())
+    for (std::size_t k = 0; k < block.count; ++k) strongest += block.strongest[k];
   const double speed = fastest(path, ball, strongest, duration);  // drag only slows
-  double bound = dragRate(model.drag) * speed;
-  for (const Well& well : field.wells) {
-    const double distance = length(well.position + well.velocity * t - ball.position);
-    const double way = (speed + length(well.velocity)) * duration;
-    bound += pullBound(well, distance, way);
-  }
-  return bound;
+  return dragRate(model.drag) * speed + pullBound(field, ball.position, speed, t, duration);
 }
 
 /// Friction over what presses, of a ball that turns or slides; rolling takes its share of the pull
@@ -111,7 +93,7 @@ BallState stateAt(const PathModel& model, const Path& path, double t) {
 double accelerationBound(const PathModel& model, const Path& path, const BallState& now, double t,
                          double duration) {
   if (path.motion == Motion::Resting) return 0;
-  const double byFields = pullBound(model, path, now, t, duration);
+  const double byFields = pullBoundOf(model, path, now, t, duration);
   if (path.motion == Motion::Flying) return byFields;
   if (path.surface == kCorner) return boundInCorner(model, path, now, byFields, duration);
   return path.surface == kGround ? boundOnGround(model, path, byFields)
