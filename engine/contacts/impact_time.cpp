@@ -13,11 +13,13 @@ namespace {
 // takes the most, about a thousand. What is not decided then is for the solver of lasting contacts.
 constexpr int kMostLooks = 5000;
 
-/// A gap at one time: its value (m), its closing speed (m/s) and by how much that can grow (m/s^2).
+/// A gap at one time: its value (m), its closing speed (m/s), and by how much that can grow and
+/// shrink (m/s^2).
 struct GapNow {
   double gap;
   double closing;
   double growth;
+  double decline;
 };
 
 /// The longest time in which a gap >= gap - closing s - growth s^2 / 2 stays open; infinite if it
@@ -27,6 +29,11 @@ double safeTime(const GapNow& now) {
   if (now.closing > 0) return 2 * now.gap / (now.closing + root);
   if (now.growth == 0) return std::numeric_limits<double>::infinity();
   return (root - now.closing) / now.growth;
+}
+
+/// True where the gap still closes after a safeTime(), and is then at most `closed`.
+bool landsAfter(double safe, const GapNow& now, double closed) {
+  return now.decline * safe < now.closing && (now.growth + now.decline) * safe * safe / 2 <= closed;
 }
 
 /// Follows gapAt(t, end), whose bounds hold from t to end, from `from` to `until`; `closed` is the
@@ -53,6 +60,7 @@ Encounter follow(GapAt gapAt, double closed, double stretch, double from, double
       look = 0;
       continue;
     }
+    if (landsAfter(step, now, closed)) return {Meeting::Impact, t + step};
     if (t + step == t) return {now.closing > 0 ? Meeting::Impact : Meeting::Sustained, t};
     t += step;
   }
@@ -85,9 +93,9 @@ double horizontal(const Vec3& v) {
 
 /// Of a ball that is pulled by no more than `bound` (m/s^2) besides gravity.
 GapNow gapToGround(const PathModel& model, const BallState& ball, double radius, double bound) {
+  const double pull = std::abs(model.field->gravity.y()) + bound;
   return {groundGap(*model.arena, ball.position, radius),
-          withoutNoise(-ball.velocity.y(), length(ball.velocity)),
-          std::abs(model.field->gravity.y()) + bound};
+          withoutNoise(-ball.velocity.y(), length(ball.velocity)), pull, pull};
 }
 
 double closedAtGround(const Arena& arena, const BallState& ball, double radius) {
@@ -105,7 +113,7 @@ GapNow gapToWall(const PathModel& model, const BallState& ball, double radius, d
   return {reach * reach - p.x() * p.x() - p.z() * p.z(),
           2 * withoutNoise(p.x() * ball.velocity.x() + p.z() * ball.velocity.z(),
                            reach * length(ball.velocity)),
-          2 * (fastest * fastest + reach * pull)};
+          2 * (fastest * fastest + reach * pull), 2 * reach * pull};
 }
 
 double closedAtWall(const Arena& arena, double radius) {
@@ -117,11 +125,11 @@ GapNow gapOfBalls(const BallState& a, double radiusA, const BallState& b, double
   const Vec3 d = b.position - a.position;
   const double distance = length(d);
   // Coincident centres: as deep as can be, and nowhere to go.
-  if (distance == 0) return {-radiusA - radiusB, 0, 1};
+  if (distance == 0) return {-radiusA - radiusB, 0, 1, 1};
+  const double speeds = length(a.velocity) + length(b.velocity);
   return {distance - radiusA - radiusB,
-          withoutNoise(dot(a.velocity - b.velocity, d) / distance,
-                       length(a.velocity) + length(b.velocity)),
-          bound};
+          withoutNoise(dot(a.velocity - b.velocity, d) / distance, speeds), bound,
+          bound + speeds * speeds / distance};
 }
 
 double closedOfBalls(const BallState& a, double radiusA, const BallState& b, double radiusB) {
@@ -165,8 +173,7 @@ BallState ballistic(const PathModel& model, const Path& path, double t) {
 Encounter encounterOfBalls(const PathModel& model, const Path& a, const Path& b, double from,
                            double until) {
   const auto gapAt = [&](double t, double end) {
-    const BallState nowA = stateAt(model, a, t);
-    const BallState nowB = stateAt(model, b, t);
+    const auto [nowA, nowB] = statesAt(model, a, b, t);
     return gapOfBalls(nowA, a.radius, nowB, b.radius,
                       approachBound(model, a, nowA, b, nowB, t, end - t));
   };

@@ -1,6 +1,7 @@
 #include "contacts/path.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "contacts/held_motion.h"
@@ -24,7 +25,7 @@ double fastest(const Path& path, const BallState& ball, double strongest, double
 double pullBoundOf(const PathModel& model, const Path& path, const BallState& ball, double t,
                    double duration) {
   const Field& field = *model.field;
-  if (field.wells.empty() && model.drag == 1) return 0;
+  if (isParabola(field, model.drag)) return 0;
   double strongest = length(field.gravity);
   for (const WellBlock& block : field.wells.blocks())
     for (std::size_t k = 0; k < block.count; ++k) strongest += block.strongest[k];
@@ -88,6 +89,26 @@ BallState stateAt(const PathModel& model, const Path& path, double t) {
   flyThrough(*model.integrator, {model.field, path.start, t - path.start, model.drag}, {&ball, 1},
              &state.position, &state.velocity);
   return state;
+}
+
+std::pair<BallState, BallState> statesAt(const PathModel& model, const Path& a, const Path& b,
+                                         double t) {
+  const bool flyTogether = a.motion == Motion::Flying && b.motion == Motion::Flying &&
+                           a.start == b.start && a.start < t &&
+                           !isParabola(*model.field, model.drag);
+  if (!flyTogether) return {stateAt(model, a, t), stateAt(model, b, t)};
+  std::array<double, 2> x[3];  // m
+  std::array<double, 2> v[3];  // m/s
+  for (int k = 0; k < 3; ++k) {
+    x[k] = {a.state.position[k], b.state.position[k]};
+    v[k] = {a.state.velocity[k], b.state.velocity[k]};
+  }
+  flyThrough(*model.integrator, {model.field, a.start, t - a.start, model.drag},
+             {x[0].data(), x[1].data(), x[2].data(), v[0].data(), v[1].data(), v[2].data(), 2});
+  const auto end = [&](std::size_t i, const Vec3& spin) {
+    return BallState{{x[0][i], x[1][i], x[2][i]}, {v[0][i], v[1][i], v[2][i]}, spin};
+  };
+  return {end(0, a.state.spin), end(1, b.state.spin)};
 }
 
 double accelerationBound(const PathModel& model, const Path& path, const BallState& now, double t,

@@ -29,10 +29,6 @@ namespace {
 
 HWY_EXPORT(flyParabolas);
 
-bool isParabola(const Flight& flight) {
-  return flight.field->wells.empty() && flight.drag == 1;
-}
-
 void flyStretches(const Integrator& integrator, const Flight& flight, const FlightArrays& balls) {
   const double stretch = flight.field->stretch;
   Flight part = flight;
@@ -84,7 +80,7 @@ class Block {
 }  // namespace
 
 void flyThrough(const Integrator& integrator, const Flight& flight, const FlightArrays& balls) {
-  if (isParabola(flight)) {
+  if (isParabola(*flight.field, flight.drag)) {
     const Vec3 gain = flight.field->gravity * flight.duration;
     HWY_DYNAMIC_DISPATCH(flyParabolas)(gain.data(), flight.duration, balls);
     return;
@@ -94,7 +90,7 @@ void flyThrough(const Integrator& integrator, const Flight& flight, const Flight
 
 void flyThrough(const Integrator& integrator, const Flight& flight,
                 std::span<const std::uint32_t> balls, Vec3* position, Vec3* velocity) {
-  if (isParabola(flight)) {
+  if (isParabola(*flight.field, flight.drag)) {
     // So short that copying would cost more than vectors save.
     const double h = flight.duration;
     const Vec3 gain = flight.field->gravity * h;
