@@ -6,6 +6,14 @@
 namespace wells {
 namespace {
 
+// The tangent plane has one mass: a tangent impulse of 1 changes the slip by so much more than a
+// normal one changes the closing speed.
+constexpr double kTangent = 1 + kSpinFactor;
+
+double squared(double x) {
+  return x * x;
+}
+
 Vec3 shortenedTo(double limit, const Vec3& v) {
   const double squared = squaredLength(v);
   return squared > limit * limit ? Vec3(limit / std::sqrt(squared) * v) : v;
@@ -21,7 +29,7 @@ void IslandPasses::solve(const Settings& settings, std::span<Contact* const> isl
                          double solved, Balls& balls, const Ledger& ledger) {
   take(settings, island, balls);
   double changed = std::numeric_limits<double>::infinity();
-  for (int pass = 0; pass < most && changed > solved; ++pass) {
+  for (int pass = 0; pass < most && changed > solved * solved; ++pass) {
     changed = 0;
     for (Row& row : rows_) {
       changed = std::max(changed, solveNormal(row));
@@ -61,7 +69,8 @@ void IslandPasses::take(const Settings& settings, std::span<Contact* const> isla
         const Body& body = bodies_[i];
         turning += kSpinFactor * body.inverseMass * body.inverseRadius * body.inverseRadius;
       }
-    rows_.push_back({c, a, b, c->normal, 1 / inverse, inverse, c->bounceSpeed, turning,
+    const double mass = 1 / inverse;
+    rows_.push_back({c, a, b, c->normal, mass, inverse, mass / kTangent, c->bounceSpeed, turning,
                      c->normalImpulse, c->tangentImpulse, c->rollingImpulse});
   }
 }
@@ -77,19 +86,16 @@ double IslandPasses::solveNormal(Row& row) {
   const Vec3 impulse = change * row.normal;
   a.velocity -= a.inverseMass * impulse;
   b.velocity += b.inverseMass * impulse;
-  return std::abs(change) * row.inverseNormalMass;
+  return squared(change * row.inverseNormalMass);
 }
 
 double IslandPasses::solveTangent(double friction, Row& row) {
-  // The tangent plane has one mass: a tangent impulse of 1 changes the slip by so much more than a
-  // normal one changes the closing speed.
-  constexpr double kTangent = 1 + kSpinFactor;
   Body& a = bodies_[row.a];
   Body& b = bodies_[row.b];
   const Vec3 slip =
       across(a.velocity - b.velocity + cross(a.surface + b.surface, row.normal), row.normal);
-  const Vec3 total = shortenedTo(friction * row.normalImpulse,
-                                 row.tangentImpulse - (row.normalMass / kTangent) * slip);
+  const Vec3 total =
+      shortenedTo(friction * row.normalImpulse, row.tangentImpulse - row.tangentMass * slip);
   const Vec3 change = total - row.tangentImpulse;
   row.tangentImpulse = total;
   const Vec3 torque = kSpinFactor * cross(row.normal, change);
@@ -97,7 +103,7 @@ double IslandPasses::solveTangent(double friction, Row& row) {
   b.velocity -= b.inverseMass * change;
   a.surface += a.inverseMass * torque;
   b.surface += b.inverseMass * torque;
-  return length(change) * (kTangent * row.inverseNormalMass);
+  return squaredLength(change) * squared(kTangent * row.inverseNormalMass);
 }
 
 // Not within an impact: what the normal force of an instant does to the rolling is not modelled.
@@ -113,7 +119,7 @@ double IslandPasses::solveRolling(double resistance, Row& row) {
   row.rollingImpulse = total;
   a.surface += (kSpinFactor * a.inverseMass * a.inverseRadius) * change;
   b.surface -= (kSpinFactor * b.inverseMass * b.inverseRadius) * change;
-  return length(change) * row.inverseTurning / a.inverseRadius;
+  return squaredLength(change) * squared(row.inverseTurning / a.inverseRadius);
 }
 
 // What the impulses did to the energy is told by the balls that they moved.
