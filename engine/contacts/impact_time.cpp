@@ -155,8 +155,15 @@ Encounter encounterWithWall(const PathModel& model, const Path& ball, double fro
   return followFromContact(gapAt, closed, model.field->stretch, from, until);
 }
 
+/// What no gap is less than falls ever faster: it is least at one of the ends.
 bool staysOpen(const GapNow& now, double closed, double duration) {
-  return now.gap > closed && safeTime(now) > duration;
+  return now.gap > closed && now.gap > (now.closing + now.growth * duration / 2) * duration;
+}
+
+/// m, of its coordinates; no less, without a root.
+double sizeBound(const BallState& ball, double radius) {
+  const Vec3& at = ball.position;
+  return std::abs(at.x()) + std::abs(at.y()) + std::abs(at.z()) + radius;
 }
 
 /// Where a ball in flight would be at time t if only gravity pulled it.
@@ -189,18 +196,22 @@ Encounter encounterWithArena(const PathModel& model, const Path& ball, std::uint
                             : encounterWithWall(model, ball, from, until);
 }
 
-// With r the relative position of the two parabolas, of which each ball is at most
-// pull (t - start)^2 / 2 away: |r| falls no faster than uniform motion makes it.
+// From one parabola to the other it is a straight line; each ball is at most pull t^2 / 2 away from
+// its own.
 bool stayApart(const PathModel& model, const Flyer& a, const Flyer& b, double from, double until) {
-  const double afterA = from - a.path->start;
-  const double afterB = from - b.path->start;
   const BallState nowA = ballistic(model, *a.path, from);
   const BallState nowB = ballistic(model, *b.path, from);
-  GapNow now = gapOfBalls(nowA, a.path->radius, nowB, b.path->radius, a.pull + b.pull);
-  now.gap -= (a.pull * afterA * afterA + b.pull * afterB * afterB) / 2;
-  now.closing += a.pull * afterA + b.pull * afterB;
-  const double closed = closedOfBalls(nowA, a.path->radius, nowB, b.path->radius);
-  return staysOpen(now, closed, until - from);
+  const Vec3 across = nowB.position - nowA.position;
+  const Vec3 passing = nowB.velocity - nowA.velocity;
+  const double speed2 = squaredLength(passing);
+  const double nearest =
+      speed2 > 0 ? std::clamp(-dot(across, passing) / speed2, 0.0, until - from) : 0;
+  const double lastA = until - a.path->start;
+  const double lastB = until - b.path->start;
+  const double bound =
+      a.path->radius + b.path->radius + (a.pull * lastA * lastA + b.pull * lastB * lastB) / 2 +
+      kClosedGap * (sizeBound(nowA, a.path->radius) + sizeBound(nowB, b.path->radius));
+  return squaredLength(across + nearest * passing) > bound * bound;
 }
 
 double leastGap(const PathModel& model, const Flyer& ball, double t, const Vec3& position,
