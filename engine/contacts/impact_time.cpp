@@ -136,20 +136,42 @@ double closedOfBalls(const BallState& a, double radiusA, const BallState& b, dou
   return kClosedGap * (length(a.position) + length(b.position) + radiusA + radiusB);
 }
 
+/// A bound that holds from a first look on, up to one horizon.
+class LastingBound {
+ public:
+  template <class Compute>
+  double until(double horizon, Compute compute) {
+    if (horizon != horizon_) {
+      bound_ = compute();
+      horizon_ = horizon;
+    }
+    return bound_;
+  }
+
+ private:
+  double horizon_ = -1;  // s; none yet
+  double bound_ = 0;
+};
+
 Encounter encounterWithGround(const PathModel& model, const Path& ball, double from, double until) {
+  LastingBound bound;
   const auto gapAt = [&](double t, double end) {
     const BallState now = stateAt(model, ball, t);
-    return gapToGround(model, now, ball.radius, accelerationBound(model, ball, now, t, end - t));
+    return gapToGround(model, now, ball.radius, bound.until(end, [&] {
+      return accelerationBound(model, ball, now, t, end - t);
+    }));
   };
   const double closed = closedAtGround(*model.arena, ball.state, ball.radius);
   return followFromContact(gapAt, closed, model.field->stretch, from, until);
 }
 
 Encounter encounterWithWall(const PathModel& model, const Path& ball, double from, double until) {
+  LastingBound bound;
   const auto gapAt = [&](double t, double end) {
     const BallState now = stateAt(model, ball, t);
-    return gapToWall(model, now, ball.radius, accelerationBound(model, ball, now, t, end - t),
-                     end - t);
+    const double pull =
+        bound.until(end, [&] { return accelerationBound(model, ball, now, t, end - t); });
+    return gapToWall(model, now, ball.radius, pull, end - t);
   };
   const double closed = closedAtWall(*model.arena, ball.radius);
   return followFromContact(gapAt, closed, model.field->stretch, from, until);
@@ -179,10 +201,12 @@ BallState ballistic(const PathModel& model, const Path& path, double t) {
 
 Encounter encounterOfBalls(const PathModel& model, const Path& a, const Path& b, double from,
                            double until) {
+  LastingBound bound;
   const auto gapAt = [&](double t, double end) {
-    const auto [nowA, nowB] = statesAt(model, a, b, t);
-    return gapOfBalls(nowA, a.radius, nowB, b.radius,
-                      approachBound(model, a, nowA, b, nowB, t, end - t));
+    const std::pair now = statesAt(model, a, b, t);
+    return gapOfBalls(now.first, a.radius, now.second, b.radius, bound.until(end, [&] {
+      return approachBound(model, a, now.first, b, now.second, t, end - t);
+    }));
   };
   const double closed = closedOfBalls(a.state, a.radius, b.state, b.radius);
   return follow(gapAt, closed, model.field->stretch, from, until);
