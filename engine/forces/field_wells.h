@@ -45,6 +45,7 @@ class FieldWells {
   auto end() const { return wells_.end(); }
   std::size_t size() const { return wells_.size(); }
   bool empty() const { return wells_.empty(); }
+  const Well& operator[](std::size_t i) const { return wells_[i]; }
 
   std::span<const WellBlock> blocks() const { return blocks_; }
 
@@ -56,8 +57,15 @@ class FieldWells {
   void push_back(const Well& well) {
     wells_.push_back(well);
     if (blocks_.empty() || blocks_.back().count == WellBlock::kSize) blocks_.emplace_back();
-    WellBlock& block = blocks_.back();
-    const std::size_t k = block.count++;
+    ++blocks_.back().count;
+    set(wells_.size() - 1, well);
+  }
+
+  /// In the place of well i.
+  void set(std::size_t i, const Well& well) {
+    wells_[i] = well;
+    WellBlock& block = blocks_[i / WellBlock::kSize];
+    const std::size_t k = i % WellBlock::kSize;
     block.x[k] = well.position.x();
     block.y[k] = well.position.y();
     block.z[k] = well.position.z();
