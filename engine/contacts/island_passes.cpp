@@ -32,8 +32,7 @@ void IslandPasses::solve(const Settings& settings, std::span<Contact* const> isl
   for (int pass = 0; pass < most && changed > solved * solved; ++pass) {
     changed = 0;
     for (Row& row : rows_) {
-      changed = std::max(changed, solveNormal(row));
-      if (settings.friction > 0) changed = std::max(changed, solveTangent(settings.friction, row));
+      changed = std::max(changed, solvePush(settings.friction, row));
       if (settings.rollingResistance > 0)
         changed = std::max(changed, solveRolling(settings.rollingResistance, row));
     }
@@ -75,35 +74,34 @@ void IslandPasses::take(const Settings& settings, std::span<Contact* const> isla
   }
 }
 
-double IslandPasses::solveNormal(Row& row) {
+// The normal impulse first, which bounds friction and changes nothing across the normal: so both
+// are found from the same velocities.
+double IslandPasses::solvePush(double friction, Row& row) {
   Body& a = bodies_[row.a];
   Body& b = bodies_[row.b];
-  const double closing = dot(a.velocity - b.velocity, row.normal);
-  const double total =
+  const Vec3 passing = a.velocity - b.velocity;
+  const double closing = dot(passing, row.normal);
+  const double normalImpulse =
       std::max(0.0, row.normalImpulse + row.normalMass * (closing + row.bounceSpeed));
-  const double change = total - row.normalImpulse;
-  row.normalImpulse = total;
-  const Vec3 impulse = change * row.normal;
-  a.velocity -= a.inverseMass * impulse;
-  b.velocity += b.inverseMass * impulse;
-  return squared(change * row.inverseNormalMass);
-}
-
-double IslandPasses::solveTangent(double friction, Row& row) {
-  Body& a = bodies_[row.a];
-  Body& b = bodies_[row.b];
-  const Vec3 slip =
-      across(a.velocity - b.velocity + cross(a.surface + b.surface, row.normal), row.normal);
-  const Vec3 total =
-      shortenedTo(friction * row.normalImpulse, row.tangentImpulse - row.tangentMass * slip);
-  const Vec3 change = total - row.tangentImpulse;
-  row.tangentImpulse = total;
-  const Vec3 torque = kSpinFactor * cross(row.normal, change);
-  a.velocity += a.inverseMass * change;
-  b.velocity -= b.inverseMass * change;
-  a.surface += a.inverseMass * torque;
-  b.surface += b.inverseMass * torque;
-  return squaredLength(change) * squared(kTangent * row.inverseNormalMass);
+  const double pressed = normalImpulse - row.normalImpulse;
+  row.normalImpulse = normalImpulse;
+  Vec3 impulse = -pressed * row.normal;
+  double changed = squared(pressed * row.inverseNormalMass);
+  if (friction > 0) {
+    const Vec3 slip = passing - closing * row.normal + cross(a.surface + b.surface, row.normal);
+    const Vec3 tangentImpulse =
+        shortenedTo(friction * normalImpulse, row.tangentImpulse - row.tangentMass * slip);
+    const Vec3 rubbed = tangentImpulse - row.tangentImpulse;
+    row.tangentImpulse = tangentImpulse;
+    impulse += rubbed;
+    const Vec3 torque = kSpinFactor * cross(row.normal, rubbed);
+    a.surface += a.inverseMass * torque;
+    if (row.b != kArena) b.surface += b.inverseMass * torque;
+    changed = std::max(changed, squaredLength(rubbed) * squared(kTangent * row.inverseNormalMass));
+  }
+  a.velocity += a.inverseMass * impulse;
+  if (row.b != kArena) b.velocity -= b.inverseMass * impulse;
+  return changed;
 }
 
 // Not within an impact: what the normal force of an instant does to the rolling is not modelled.

@@ -43,8 +43,7 @@ class IslandPasses {
   void take(const Settings& settings, std::span<Contact* const> island, const Balls& balls);
   std::uint32_t bodyOf(std::uint32_t ball, double inverseMass, const Balls& balls);
   // These return the square of the change of relative velocity, m^2/s^2.
-  double solveNormal(Row& row);
-  double solveTangent(double friction, Row& row);
+  double solvePush(double friction, Row& row);
   double solveRolling(double resistance, Row& row);
   void giveBack(Balls& balls, const Ledger& ledger) const;
 
