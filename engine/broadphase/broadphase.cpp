@@ -29,6 +29,9 @@ constexpr double kSkin = 0.4;
 constexpr double kSkinSteps = 4;
 constexpr int kFewSteps = 3;
 constexpr int kListsWithoutSkin = 30;
+// Nor is it worth more pairs than so many a ball: T1 with 100,000 balls, all of which fly after 30
+// steps, had 32 in the step that tried a skin, and 5 without.
+constexpr double kMostPairsWithSkin = 16;
 // Cells are as large as the largest balls, so that one may hold as many as the cube of this times
 // more small ones. 10,000 balls, half filling their space, all of which move: up to a ratio of 8
 // the grid took 2.0 to 2.8 ms a step and the tree more than 100, but a tenth were large; a few
@@ -51,6 +54,10 @@ void* asClient(std::uint32_t partner) {
 
 std::uint32_t partnerOf(const btBroadphaseProxy* proxy) {
   return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(proxy->m_clientObject));
+}
+
+double cubeOf(double x) {
+  return x * x * x;
 }
 
 /// The sphere around which a ball's pairs are known.
@@ -76,6 +83,7 @@ struct Broadphase::Proxies {
   std::vector<KnownSphere> spheres;  // by ball, of the grid
   int stepsServed = kFewSteps;       // by the present list
   int listsWithoutSkin = 0;          // that are to follow
+  double volume = 0;                 // m^3, of the spheres of the present list, all but a factor
   Arena arena;
   BroadphaseKind chosen;
 
@@ -252,17 +260,31 @@ void Broadphase::updateSpheres(const World& world, std::span<const double> reach
     ++proxies_->stepsServed;
     return;
   }
-  const bool hasSkin = proxies_->nextHasSkin();
+  const auto radiusOf = [&](std::uint32_t i, bool hasSkin) {
+    const double skin =
+        kSkin * balls.radius[i] + kSkinSteps * world.settings.dt * length(balls.velocity[i]);
+    return balls.radius[i] + reach[i] + (hasSkin ? skin : 0);
+  };
+  // As many pairs a volume as there were, about.
+  const auto pairsOf = [&](double volume) {
+    return static_cast<double>(ballPairs_.size()) * volume / proxies_->volume;
+  };
+  bool hasSkin = proxies_->nextHasSkin();
+  if (hasSkin && proxies_->volume > 0) {
+    double volume = 0;
+    for (const std::uint32_t i : among)
+      if (isIn(i)) volume += cubeOf(radiusOf(i, true));
+    hasSkin = pairsOf(volume) <= kMostPairsWithSkin * static_cast<double>(among.size());
+  }
+  proxies_->volume = 0;
   for (const std::uint32_t i : among) {
     if (!isIn(i)) {
       removeProxy(i);
       continue;
     }
     const Vec3& x = balls.position[i];
-    const double skin = hasSkin ? kSkin * balls.radius[i] +
-                                      kSkinSteps * world.settings.dt * length(balls.velocity[i])
-                                : 0;
-    const double radius = balls.radius[i] + reach[i] + skin;
+    const double radius = radiusOf(i, hasSkin);
+    proxies_->volume += cubeOf(radius);
     proxies_->spheres[i] = {x, radius};
     const Vec3 low = x - Vec3::Constant(radius);
     const Vec3 high = x + Vec3::Constant(radius);
@@ -272,6 +294,19 @@ void Broadphase::updateSpheres(const World& world, std::span<const double> reach
     else
       proxies_->broadphase->setAabb(proxy, toBullet(low), toBullet(high), nullptr);
   }
+}
+
+void Broadphase::findIn(const Vec3& low, const Vec3& high,
+                        std::vector<std::uint32_t>& found) const {
+  struct Collector : btBroadphaseAabbCallback {
+    std::vector<std::uint32_t>* found = nullptr;
+    bool process(const btBroadphaseProxy* proxy) override {
+      if (isBall(partnerOf(proxy))) found->push_back(partnerOf(proxy));
+      return true;
+    }
+  } collector;
+  collector.found = &found;
+  proxies_->broadphase->aabbTest(toBullet(low), toBullet(high), collector);
 }
 
 void Broadphase::list() {

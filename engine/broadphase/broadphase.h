@@ -48,6 +48,10 @@ class Broadphase {
   /// Likewise; a ball may stand several times, once for each piece of the ring that it is near.
   const std::vector<std::uint32_t>& nearWall() const { return nearWall_; }
 
+  /// Appends balls of the last update, in no particular order: all that may come, within their
+  /// reaches, to a place from low to high (m), and others.
+  void findIn(const Vec3& low, const Vec3& high, std::vector<std::uint32_t>& found) const;
+
   /// Proxies that the last update moved, added or removed, for benchmarks.
   std::int64_t moved() const { return moved_; }
 

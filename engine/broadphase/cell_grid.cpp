@@ -68,7 +68,7 @@ void CellGrid::sort(std::span<btBroadphaseProxy* const> boxes) {
     entries_.push_back(entry);
   }
   fillSlots();
-  if (!large_.empty()) boundBlocks();
+  boundBlocks();
 }
 
 void CellGrid::layOut(std::span<btBroadphaseProxy* const> boxes) {

@@ -83,9 +83,20 @@ void GridBroadphase::rayTest(const btVector3& from, const btVector3&,
 
 void GridBroadphase::aabbTest(const btVector3& low, const btVector3& high,
                               btBroadphaseAabbCallback& callback) {
-  for (const btBroadphaseProxy* const proxy : proxies_)
+  const auto test = [&](const btBroadphaseProxy* proxy) {
     if (TestAabbAgainstAabb2(low, high, proxy->m_aabbMin, proxy->m_aabbMax))
       callback.process(proxy);
+  };
+  if (areOld_) {
+    for (const btBroadphaseProxy* const proxy : proxies_) test(proxy);
+    return;
+  }
+  btBroadphaseProxy box;
+  box.m_aabbMin = low;
+  box.m_aabbMax = high;
+  grid_.findIn(box, near_);
+  for (const std::uint32_t slot : near_) test(proxyIn(slot));
+  for (const std::uint32_t n : grid_.large()) test(proxies_[n]);
 }
 
 void GridBroadphase::calculateOverlappingPairs(btDispatcher* dispatcher) {

@@ -33,9 +33,11 @@ class GridBroadphase final : public btBroadphaseInterface {
                btDispatcher* dispatcher) override;
   void getAabb(btBroadphaseProxy* proxy, btVector3& low, btVector3& high) const override;
 
-  /// Hand over every box on the ray, or in the box; O(boxes).
+  /// Hands over every box on the ray; O(boxes).
   void rayTest(const btVector3& from, const btVector3& to, btBroadphaseRayCallback& callback,
                const btVector3& low, const btVector3& high) override;
+  /// Hands over every box that overlaps the given one. O(boxes / 64) and what is found, if no box
+  /// has changed since the pairs were found.
   void aabbTest(const btVector3& low, const btVector3& high,
                 btBroadphaseAabbCallback& callback) override;
 

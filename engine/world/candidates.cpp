@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contacts/contact.h"
+#include "math/straight_path.h"
 #include "world/advance.h"
 
 namespace wells {
@@ -76,6 +77,58 @@ void Candidates::findBalls(ThreadPool& threads) {
     count += end - begin;
   }
   ballPairs_.resize(count);
+}
+
+std::span<const std::uint32_t> Candidates::findSurprised(const World& world,
+                                                         std::span<const double> reach,
+                                                         std::span<const std::uint32_t> among,
+                                                         ThreadPool& threads) {
+  findBeyond(world, reach, among, threads);
+  double excess = 0;
+  for (const auto& beyond : beyond_)
+    for (const std::uint32_t i : beyond)
+      excess = std::max(excess, length(wayOf(world, i)) - reach[i]);
+  surprised_.clear();
+  for (const auto& beyond : beyond_)
+    for (const std::uint32_t i : beyond)
+      if (isSurprised(world, among, i, reach[i], excess)) surprised_.push_back(i);
+  return surprised_;
+}
+
+void Candidates::findBeyond(const World& world, std::span<const double> reach,
+                            std::span<const std::uint32_t> among, ThreadPool& threads) {
+  beyond_.resize(threads.ranges(among.size(), kLeastRange));
+  threads.forRanges(among.size(), kLeastRange,
+                    [&](std::size_t begin, std::size_t end, std::size_t range) {
+                      beyond_[range].clear();
+                      for (const std::uint32_t i : among.subspan(begin, end - begin)) {
+                        // What is not finite has no reach.
+                        if (squaredLength(wayOf(world, i)) > reach[i] * reach[i])
+                          beyond_[range].push_back(i);
+                      }
+                    });
+}
+
+bool Candidates::isSurprised(const World& world, std::span<const std::uint32_t> among,
+                             std::uint32_t ball, double reach, double excess) {
+  const Balls& balls = world.balls;
+  const auto [start, listed] = spheres_[ball];
+  const Vec3 way = wayOf(world, ball);
+  const double radius = balls.radius[ball];
+  if (hasMissedArena(world.arena, start, balls.position[ball], radius, reach)) return true;
+  if (!areFew_) {
+    const Vec3 margin = Vec3::Constant(radius + length(way) + excess);
+    around_.clear();
+    broadphase_.findIn(start - margin, start + margin, around_);
+    among = around_;
+  }
+  return std::ranges::any_of(among, [&](std::uint32_t i) {
+    const Vec3 between = spheres_[i].center - start;
+    const double bound = listed + spheres_[i].radius;
+    return i != ball && squaredLength(between) > bound * bound &&
+           distanceFromPath(between, Vec3::Zero(), way - wayOf(world, i)) <=
+               radius + balls.radius[i];
+  });
 }
 
 void Candidates::findAmongFew(const World& world, std::span<const double> reach,
