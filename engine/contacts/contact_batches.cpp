@@ -1,6 +1,7 @@
 #include "contacts/contact_batches.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 namespace wells {
@@ -9,94 +10,140 @@ namespace {
 constexpr std::uint32_t kColours = 64;
 
 // After the colours within tiles and those between them: contacts for which no colour was left (of
-// a ball with so many neighbours), one by one; ground; wall.
-enum Last : std::uint32_t { kUncoloured = kColours, kOfGround, kOfWall, kLasts };
+// a ball with so many neighbours), one by one; ground; wall; what is far.
+enum Last : std::uint32_t { kUncoloured = kColours, kOfGround, kOfWall, kFar, kLasts };
 
-std::uint32_t lastOf(std::uint32_t partner) {
-  return partner == kGround ? kOfGround : kOfWall;
+/// The first colour that neither has, marked as used by both; kColours: none was left.
+std::uint32_t takeColour(std::uint64_t& usedA, std::uint64_t& usedB) {
+  const auto free = static_cast<std::uint32_t>(std::countr_one(usedA | usedB));
+  if (free >= kColours) return kColours;
+  usedA |= std::uint64_t{1} << free;
+  usedB |= std::uint64_t{1} << free;
+  return free;
 }
 
 }  // namespace
 
-void ContactBatches::split(std::span<const BallPair> pairs, std::span<const std::uint32_t> balls,
+void ContactBatches::order(std::span<const BallPair> pairs, std::span<const std::uint32_t> balls,
                            std::span<const std::uint32_t> place) {
-  tiles_ = (static_cast<std::uint32_t>(balls.size()) + kTileBalls - 1) / kTileBalls;
-  orderPairs(pairs, balls, place);
-  colour();
-  listBatches();
-  pairs_.resize(pairs.size());
-  slots_.resize(pairs.size());
-  for (const Ordered& pair : ordered_) {
-    const std::uint32_t to = next_[pair.list]++;
-    pairs_[to] = pair.balls;
-    slots_[pair.given] = to;
-  }
-}
+  balls_ = static_cast<std::uint32_t>(balls.size());
+  tiles_ = (balls_ + kTileBalls - 1) / kTileBalls;
+  const auto arena =
+      std::ranges::partition_point(pairs, isBall, [](const BallPair& p) { return p.b; });
+  const auto ballPairs = static_cast<std::uint32_t>(arena - pairs.begin());
+  const auto all = static_cast<std::uint32_t>(pairs.size());
 
-/// Those of one ball a follow each other in both orders.
-void ContactBatches::orderPairs(std::span<const BallPair> pairs,
-                                std::span<const std::uint32_t> balls,
-                                std::span<const std::uint32_t> place) {
-  const auto ballCount = static_cast<std::uint32_t>(balls.size());
-  const auto count = static_cast<std::uint32_t>(pairs.size());
-  const std::uint32_t between = tiles_ * kColours;
-  firstOf_.assign(ballCount, {count, count});
-  for (std::uint32_t n = 0; n < count; ++n) {
-    const auto [a, b] = pairs[n];
-    if (n > 0 && pairs[n - 1].a == a && isBall(pairs[n - 1].b) == isBall(b)) continue;
-    (isBall(b) ? firstOf_[place[a]].ball : firstOf_[place[a]].arena) = n;
+  // Pairs of one ball a follow each other in both orders.
+  runOf_.assign(balls_, {});
+  for (std::uint32_t n = 0; n < ballPairs;) {
+    const std::uint32_t first = n;
+    while (n < ballPairs && pairs[n].a == pairs[first].a) ++n;
+    runOf_[place[pairs[first].a]] = {first, n - first};
   }
-  ordered_.clear();
-  for (std::uint32_t k = 0; k < ballCount; ++k) {
-    const auto isMine = [&](std::uint32_t n) { return n < count && pairs[n].a == balls[k]; };
-    for (std::uint32_t n = firstOf_[k].ball; isMine(n) && isBall(pairs[n].b); ++n)
-      ordered_.push_back({{k, place[pairs[n].b]}, n, 0});
-    for (std::uint32_t n = firstOf_[k].arena; isMine(n); ++n)
-      ordered_.push_back({{k, ballCount}, n, between + lastOf(pairs[n].b)});
-  }
-}
-
-void ContactBatches::colour() {
-  const std::uint32_t between = tiles_ * kColours;
-  used_.assign(firstOf_.size(), {});
-  next_.assign(between + kLasts + 1, 0);
-  for (Ordered& pair : ordered_) {
-    if (pair.balls.b < used_.size()) {
-      const std::uint32_t tile = pair.balls.a / kTileBalls;
-      const bool isWithin = tile == pair.balls.b / kTileBalls;
-      std::uint64_t Used::*const kind = isWithin ? &Used::within : &Used::between;
-      std::uint64_t& usedA = used_[pair.balls.a].*kind;
-      std::uint64_t& usedB = used_[pair.balls.b].*kind;
-      const auto free = static_cast<std::uint32_t>(std::countr_one(usedA | usedB));
-      pair.list = between + kUncoloured;
-      if (free < kColours) {
-        usedA |= std::uint64_t{1} << free;
-        usedB |= std::uint64_t{1} << free;
-        pair.list = (isWithin ? tile * kColours : between) + free;
-      }
+  ordered_.resize(ballPairs);
+  given_.resize(ballPairs);
+  std::uint32_t to = 0;
+  for (std::uint32_t k = 0; k < balls_; ++k) {
+    const auto [first, count] = runOf_[k];
+    for (std::uint32_t n = first; n < first + count; ++n, ++to) {
+      ordered_[to] = {k, place[pairs[n].b]};
+      given_[to] = n;
     }
-    ++next_[pair.list + 1];
   }
+  ofArena_.resize(all - ballPairs);
+  for (std::uint32_t n = ballPairs; n < all; ++n) ofArena_[n - ballPairs] = {place[pairs[n].a], n};
+  std::ranges::sort(ofArena_, [](const IndexPair& x, const IndexPair& y) {
+    return x.a != y.a ? x.a < y.a : x.b < y.b;
+  });
+  listOfArena_.resize(ofArena_.size());
+  const std::uint32_t between = tiles_ * kColours;
+  std::ranges::transform(ofArena_, listOfArena_.begin(), [&](const IndexPair& pair) {
+    return between + (pairs[pair.b].b == kGround ? kOfGround : kOfWall);
+  });
+}
+
+void ContactBatches::split(std::span<const std::uint8_t> isNear) {
+  colour(isNear);
+  listBatches();
+  pairs_.resize(ordered_.size() + ofArena_.size());
+  slots_.resize(pairs_.size());
+  for (std::size_t n = 0; n < ordered_.size(); ++n) {
+    const std::uint32_t to = next_[list_[n]]++;
+    pairs_[to] = ordered_[n];
+    slots_[given_[n]] = to;
+  }
+  for (std::size_t n = 0; n < ofArena_.size(); ++n) {
+    const std::uint32_t to = next_[listOfArena_[n]]++;
+    pairs_[to] = {ofArena_[n].a, balls_};
+    slots_[ofArena_[n].b] = to;
+  }
+}
+
+void ContactBatches::colour(std::span<const std::uint8_t> isNear) {
+  const std::uint32_t between = tiles_ * kColours;
+  used_.assign(balls_, {});
+  next_.assign(between + kLasts + 1, 0);
+  list_.resize(ordered_.size());
+  for (std::size_t n = 0; n < ordered_.size(); ++n) {
+    list_[n] = between + kFar;
+    if (isNear[n]) {
+      const auto [a, b] = ordered_[n];
+      const std::uint32_t tile = a / kTileBalls;
+      const bool isWithin = tile == b / kTileBalls;
+      std::uint64_t Used::*const kind = isWithin ? &Used::within : &Used::between;
+      const std::uint32_t colour = takeColour(used_[a].*kind, used_[b].*kind);
+      list_[n] = isWithin && colour < kColours ? tile * kColours + colour : between + colour;
+    }
+    ++next_[list_[n] + 1];
+  }
+  for (const std::uint32_t list : listOfArena_) ++next_[list + 1];
   for (std::size_t list = 1; list < next_.size(); ++list) next_[list] += next_[list - 1];
 }
 
 void ContactBatches::listBatches() {
   batches_.clear();
+  arenaBatches_.clear();
   const std::uint32_t between = tiles_ * kColours;
-  for (std::uint32_t list = 0; list < between + kLasts; ++list) {
+  for (std::uint32_t list = 0; list < between + kFar; ++list) {
     const std::uint32_t first = next_[list];
     const std::uint32_t last = next_[list + 1];
-    if (list == between + kUncoloured) {
-      for (std::uint32_t n = first; n < last; ++n)
-        batches_.push_back({PartnerKind::Ball, kNoTile, n, n + 1});
-      continue;
-    }
     if (first == last) continue;
-    const PartnerKind partner = list == between + kOfGround ? PartnerKind::Ground
-                                : list == between + kOfWall ? PartnerKind::Wall
-                                                            : PartnerKind::Ball;
-    batches_.push_back({partner, list < between ? list / kColours : kNoTile, first, last});
+    const std::uint32_t tile = list < between ? list / kColours : kNoTile;
+    constexpr auto kOf = ContactBatch::Of::Pairs;
+    if (list == between + kOfGround)
+      arenaBatches_.push_back({PartnerKind::Ground, kOf, tile, first, last});
+    else if (list == between + kOfWall)
+      arenaBatches_.push_back({PartnerKind::Wall, kOf, tile, first, last});
+    else if (list == between + kUncoloured)
+      for (std::uint32_t n = first; n < last; ++n)
+        batches_.push_back({PartnerKind::Ball, kOf, tile, n, n + 1});
+    else
+      batches_.push_back({PartnerKind::Ball, kOf, tile, first, last});
   }
+  firstFar_ = next_[between + kFar];
+  ballBatches_ = batches_.size();
+  setLate({});
+}
+
+void ContactBatches::setLate(std::span<const std::uint32_t> touching) {
+  std::array<std::uint32_t, kColours + 2> next = {};
+  lateColour_.resize(touching.size());
+  for (const std::uint32_t slot : touching) used_[pairs_[slot].a] = used_[pairs_[slot].b] = {};
+  for (std::size_t n = 0; n < touching.size(); ++n) {
+    const auto [a, b] = pairs_[touching[n]];
+    lateColour_[n] = takeColour(used_[a].between, used_[b].between);
+    ++next[lateColour_[n] + 1];
+  }
+  for (std::size_t list = 1; list < next.size(); ++list) next[list] += next[list - 1];
+  batches_.resize(ballBatches_);
+  for (std::uint32_t list = 0; list <= kColours; ++list) {
+    const std::uint32_t size = list < kColours ? next[list + 1] - next[list] : 1;
+    for (std::uint32_t n = next[list]; n < next[list + 1]; n += size)
+      batches_.push_back({PartnerKind::Ball, ContactBatch::Of::Late, kNoTile, n, n + size});
+  }
+  batches_.insert(batches_.end(), arenaBatches_.begin(), arenaBatches_.end());
+  late_.resize(touching.size());
+  for (std::size_t n = 0; n < touching.size(); ++n) late_[next[lateColour_[n]]++] = touching[n];
 }
 
 }  // namespace wells

@@ -3,6 +3,9 @@
 // within a tile are done tile by tile, while its balls are in the cache, then those between tiles,
 // then those with the arena, whose word is final. Within each: greedy edge colouring, with a bit
 // mask of used colours for each ball.
+//
+// Pairs that will hardly touch (far ones) are in no batch. Those of them that do touch, found
+// substep by substep, are coloured then: late ones, done before those with the arena.
 #pragma once
 
 #include <span>
@@ -17,58 +20,76 @@ inline constexpr std::uint32_t kTileBalls = 512;
 inline constexpr std::uint32_t kNoTile = 0xffffffff;
 
 struct ContactBatch {
+  enum class Of : std::uint8_t { Pairs, Late };
   PartnerKind partner;
+  Of of;                // what first and last count
   std::uint32_t tile;   // that has all its balls, or kNoTile
-  std::uint32_t first;  // of pairs()
+  std::uint32_t first;  // of pairs() or late()
   std::uint32_t last;   // behind its last
 };
 
 class ContactBatches {
  public:
-  /// Splits the pairs of the balls `balls`: given are first those between balls, by (a, b), then
-  /// those with the arena. place[id] is the place of ball id in `balls`, and the order of the pairs
-  /// of a batch is that of `balls`.
-  void split(std::span<const BallPair> pairs, std::span<const std::uint32_t> balls,
+  /// Orders the pairs of the balls `balls`, for split(): given are first those between balls, by
+  /// (a, b), then those with the arena. place[id] is the place of ball id in `balls`, and the order
+  /// of the pairs of a batch is that of `balls`.
+  void order(std::span<const BallPair> pairs, std::span<const std::uint32_t> balls,
              std::span<const std::uint32_t> place);
+  /// Those between balls, in the order of `balls`; indices of balls.
+  std::span<const IndexPair> ordered() const { return ordered_; }
+
+  /// Splits into batches the pairs with isNear (1 or 0, by pair of ordered()) and those with the
+  /// arena.
+  void split(std::span<const std::uint8_t> isNear);
+
+  /// For the substep at hand, batches of those far pairs (numbers in pairs()) that touch.
+  void setLate(std::span<const std::uint32_t> touching);
 
   /// Those of tiles first, tile by tile.
   std::span<const ContactBatch> batches() const { return batches_; }
   std::uint32_t tiles() const { return tiles_; }
-  /// In the order of the batches. Indices of balls; b of a contact with the arena is one behind all
-  /// balls.
+  /// In the order of the batches, then those that are far. Indices of balls; b of a contact with
+  /// the arena is one behind all balls.
   std::span<const IndexPair> pairs() const { return pairs_; }
+  /// Of pairs(), the first that is far.
+  std::uint32_t firstFar() const { return firstFar_; }
+  /// In the order of late batches; numbers in pairs().
+  std::span<const std::uint32_t> late() const { return late_; }
   /// By pair given, its place in pairs().
   std::span<const std::uint32_t> slots() const { return slots_; }
 
  private:
-  void orderPairs(std::span<const BallPair> pairs, std::span<const std::uint32_t> balls,
-                  std::span<const std::uint32_t> place);
-  void colour();
+  void colour(std::span<const std::uint8_t> isNear);
   void listBatches();
 
   std::uint32_t tiles_ = 0;
+  std::uint32_t firstFar_ = 0;
   std::vector<ContactBatch> batches_;
   std::vector<IndexPair> pairs_;
   std::vector<std::uint32_t> slots_;
+  std::vector<std::uint32_t> late_;
   // Scratch.
-  struct First {
-    std::uint32_t ball;
-    std::uint32_t arena;
-  };
-  struct Ordered {
-    IndexPair balls;
-    std::uint32_t given;  // its place among the pairs given
-    std::uint32_t list;   // which batch, if empty ones are counted
+  struct Run {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
   };
   /// Colours that a ball has in contacts within its tile, and in others.
   struct Used {
     std::uint64_t within = 0;
     std::uint64_t between = 0;
   };
-  std::vector<First> firstOf_;       // by ball, of its pairs as a, with each kind of partner
-  std::vector<Ordered> ordered_;     // in the order of the balls
-  std::vector<Used> used_;           // by ball
-  std::vector<std::uint32_t> next_;  // by such a batch
+  std::uint32_t balls_ = 0;
+  std::vector<Run> runOf_;                  // by ball, its pairs as a
+  std::vector<IndexPair> ordered_;          // those between balls
+  std::vector<std::uint32_t> given_;        // by ordered pair, its place among the pairs given
+  std::vector<std::uint32_t> list_;         // likewise, which batch, if empty ones are counted
+  std::vector<IndexPair> ofArena_;          // place of the ball; place among the pairs given
+  std::vector<std::uint32_t> listOfArena_;  // by such a pair
+  std::vector<std::uint32_t> lateColour_;   // by pair that touches
+  std::vector<Used> used_;                  // by ball
+  std::vector<std::uint32_t> next_;         // by such a batch
+  std::vector<ContactBatch> arenaBatches_;
+  std::size_t ballBatches_ = 0;  // of batches_, those that stay for the whole step
 };
 
 }  // namespace wells

@@ -41,6 +41,11 @@ struct CrowdSubstep {
   double closing = 0;  // m/s, the most that forces built up, or an impact closes with
 };
 
+/// Tells by pair, 1 or 0, whether two balls come near each other within `duration` s if nothing
+/// deflects them: closer than kFarGap. Pairs are of balls, and need not be those of the arrays.
+void findNear(double duration, const CrowdArrays& arrays, std::span<const IndexPair> pairs,
+              std::uint8_t* isNear);
+
 /// Lists those of the pairs first .. last - 1 that touch; returns how many.
 std::size_t findTouching(PartnerKind partner, const CrowdRules& rules, const CrowdArrays& arrays,
                          std::uint32_t first, std::uint32_t last, std::uint32_t* touching);

@@ -88,6 +88,7 @@ void Crowd::runSubstep(const CrowdInput& in, double start, ThreadPool& pool) {
     fly(in, start, partOf(island_.size(), kFlightBlock, thread, threads_));
     barrier.wait();
     stage.next(Stage::Prepare);
+    findLate(thread, barrier);
     prepare(thread, barrier);
     stage.next(Stage::Solve);
     solve(in.settings, thread, barrier);
@@ -122,7 +123,14 @@ void Crowd::gather(const CrowdInput& in, const Balls& balls, ThreadPool& pool) {
   }
 
   const std::span<const BallPair> pairs = in.pairs;
-  batches_.split(pairs, island_, placeOf_);
+  batches_.order(pairs, island_, placeOf_);
+  const auto ordered = batches_.ordered();
+  makeRoomFor(isNear_, ordered.size());
+  const CrowdArrays arrays = arraysOf(0);
+  pool.forRanges(ordered.size(), kLeastPairs, [&](std::size_t begin, std::size_t end, std::size_t) {
+    findNear(in.settings.dt, arrays, ordered.subspan(begin, end - begin), isNear_.data() + begin);
+  });
+  batches_.split(std::span(isNear_).first(ordered.size()));
   makeRoomFor(lasting_, pairs.size() + threads_);
   makeRoomFor(touchedIn_, pairs.size() + threads_);
   const double scale = in.memory.scaleTo(rules_.h);
@@ -233,6 +241,34 @@ bool Crowd::takesPart(std::size_t thread, Sharing sharing, const ContactBatch& b
   return false;
 }
 
+std::span<const std::uint32_t> Crowd::touching(std::size_t thread, PartnerKind partner,
+                                               std::size_t first, std::size_t last) {
+  std::vector<std::uint32_t>& list = workers_[thread].touching;
+  makeRoomFor(list, last - first);
+  return {list.data(),
+          findTouching(partner, rules_, arraysOf(thread), static_cast<std::uint32_t>(first),
+                       static_cast<std::uint32_t>(last), list.data())};
+}
+
+// Where something has been deflected, far pairs touch, which were not kept ready.
+void Crowd::findLate(std::size_t thread, Barrier& barrier) {
+  const std::size_t firstFar = batches_.firstFar();
+  const auto [begin, end] =
+      partOf(batches_.pairs().size() - firstFar, kContactLanes, thread, threads_);
+  workers_[thread].late = touching(thread, PartnerKind::Ball, firstFar + begin, firstFar + end);
+  barrier.wait();
+  if (thread == 0) {
+    late_.clear();
+    for (const Worker& from : std::span(workers_).first(threads_))
+      late_.insert(late_.end(), from.late.begin(), from.late.end());
+    if (!late_.empty() || !batches_.late().empty()) {
+      batches_.setLate(late_);
+      planGroups();
+    }
+  }
+  barrier.wait();
+}
+
 // Nothing moves yet, so each thread goes through all that is its own.
 void Crowd::prepare(std::size_t thread, Barrier& barrier) {
   const CrowdArrays arrays = arraysOf(thread);
@@ -243,22 +279,20 @@ void Crowd::prepare(std::size_t thread, Barrier& barrier) {
   for (const Group& group : groups_) {
     for (std::size_t n = group.first; n < group.last; ++n) {
       if (!takesPart(thread, group.sharing, batches[n])) continue;
-      const auto [partner, tile, first, last] = batches[n];
+      const auto [partner, of, tile, first, last] = batches[n];
       const IndexRange range = group.sharing == Sharing::Batch
                                    ? partOf(last - first, kContactLanes, thread, threads_)
                                    : IndexRange{0, last - first};
-      makeRoomFor(worker.touching, range.end - range.begin);
-      const std::size_t count =
-          findTouching(partner, rules_, arrays, first + static_cast<std::uint32_t>(range.begin),
-                       first + static_cast<std::uint32_t>(range.end), worker.touching.data());
+      const auto list = of == ContactBatch::Of::Late
+                            ? batches_.late().subspan(first + range.begin, range.end - range.begin)
+                            : touching(thread, partner, first + range.begin, first + range.end);
       Part& part = parts_[n * threads_ + thread];
-      part = {worker.used, (count + kContactLanes - 1) / kContactLanes};
+      part = {worker.used, (list.size() + kContactLanes - 1) / kContactLanes};
       worker.used += part.count;
       makeRoomFor(worker.blocks, worker.used);
       makeRoomFor(worker.flights, worker.used);
-      prepareContacts(partner, rules_, arrays, {worker.touching.data(), count},
-                      worker.blocks.data() + part.first, worker.flights.data() + part.first,
-                      worker.substep);
+      prepareContacts(partner, rules_, arrays, list, worker.blocks.data() + part.first,
+                      worker.flights.data() + part.first, worker.substep);
     }
   }
   barrier.wait();

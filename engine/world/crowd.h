@@ -65,6 +65,7 @@ class Crowd {
     std::vector<ContactBlock> blocks;       // with room for more
     std::vector<ContactFlight> flights;     // of the same contacts
     std::vector<std::uint32_t> touching;    // scratch
+    std::span<const std::uint32_t> late;    // of these, far pairs
     std::vector<ContactMemory::Kept> kept;  // likewise
   };
 
@@ -74,6 +75,10 @@ class Crowd {
   // By all threads.
   void runSubstep(const CrowdInput& in, double start, ThreadPool& pool);
   void fly(const CrowdInput& in, double start, IndexRange range);
+  /// Those of pairs first .. last - 1 that touch, until the thread asks again.
+  std::span<const std::uint32_t> touching(std::size_t thread, PartnerKind partner,
+                                          std::size_t first, std::size_t last);
+  void findLate(std::size_t thread, Barrier& barrier);
   void prepare(std::size_t thread, Barrier& barrier);
   void solve(const Settings& settings, std::size_t thread, Barrier& barrier);
   void shift(std::size_t thread, Barrier& barrier);
@@ -119,6 +124,8 @@ class Crowd {
   ContactBatches batches_;
   std::vector<LastingImpulse> lasting_;
   std::vector<std::uint32_t> touchedIn_;
+  std::vector<std::uint32_t> late_;   // far pairs that touch in this substep
+  std::vector<std::uint8_t> isNear_;  // by pair of balls in the order of the crowd
   // By batch.
   std::vector<Group> groups_;
   std::vector<Part> parts_;      // of each batch, by thread

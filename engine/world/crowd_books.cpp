@@ -28,6 +28,7 @@ void Crowd::runBookedSubstep(const CrowdInput& in, double start, ThreadPool& poo
   const Booking flown = bookingOf(in.model, end, balls);
   stage.next(Stage::Solve);
   const Booking solved = inAllThreads([&](std::size_t thread, Barrier& barrier) {
+    findLate(thread, barrier);
     prepare(thread, barrier);
     solve(in.settings, thread, barrier);
   });
