@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <utility>
 
 namespace wells {
 namespace {
@@ -22,6 +23,10 @@ std::uint32_t takeColour(std::uint64_t& usedA, std::uint64_t& usedB) {
   return free;
 }
 
+constexpr auto isBefore = [](const auto& x, const auto& y) {
+  return x.a != y.a ? x.a < y.a : x.partner < y.partner;
+};
+
 }  // namespace
 
 void ContactBatches::order(std::span<const BallPair> pairs, std::span<const std::uint32_t> balls,
@@ -31,7 +36,6 @@ void ContactBatches::order(std::span<const BallPair> pairs, std::span<const std:
   const auto arena =
       std::ranges::partition_point(pairs, isBall, [](const BallPair& p) { return p.b; });
   const auto ballPairs = static_cast<std::uint32_t>(arena - pairs.begin());
-  const auto all = static_cast<std::uint32_t>(pairs.size());
 
   // Pairs of one ball a follow each other in both orders.
   runOf_.assign(balls_, {});
@@ -41,62 +45,68 @@ void ContactBatches::order(std::span<const BallPair> pairs, std::span<const std:
     runOf_[place[pairs[first].a]] = {first, n - first};
   }
   ordered_.resize(ballPairs);
-  given_.resize(ballPairs);
   std::uint32_t to = 0;
   for (std::uint32_t k = 0; k < balls_; ++k) {
-    const auto [first, count] = runOf_[k];
-    for (std::uint32_t n = first; n < first + count; ++n, ++to) {
-      ordered_[to] = {k, place[pairs[n].b]};
-      given_[to] = n;
-    }
+    const std::uint32_t given = std::exchange(runOf_[k].first, to);
+    for (std::uint32_t n = 0; n < runOf_[k].count; ++n)
+      ordered_[to++] = {k, place[pairs[given + n].b]};
   }
-  ofArena_.resize(all - ballPairs);
-  for (std::uint32_t n = ballPairs; n < all; ++n) ofArena_[n - ballPairs] = {place[pairs[n].a], n};
-  std::ranges::sort(ofArena_, [](const IndexPair& x, const IndexPair& y) {
-    return x.a != y.a ? x.a < y.a : x.b < y.b;
+  ofArena_.resize(pairs.size() - ballPairs);
+  std::ranges::transform(pairs.subspan(ballPairs), ofArena_.begin(), [&](const BallPair& pair) {
+    return ArenaPair{place[pair.a], pair.b};
   });
-  listOfArena_.resize(ofArena_.size());
-  const std::uint32_t between = tiles_ * kColours;
-  std::ranges::transform(ofArena_, listOfArena_.begin(), [&](const IndexPair& pair) {
-    return between + (pairs[pair.b].b == kGround ? kOfGround : kOfWall);
-  });
+  std::ranges::sort(ofArena_, isBefore);
 }
 
 void ContactBatches::split(std::span<const std::uint8_t> isNear) {
+  slot_.resize(ordered_.size() + ofArena_.size());
   colour(isNear);
   listBatches();
-  pairs_.resize(ordered_.size() + ofArena_.size());
-  slots_.resize(pairs_.size());
-  for (std::size_t n = 0; n < ordered_.size(); ++n) {
-    const std::uint32_t to = next_[list_[n]]++;
-    pairs_[to] = ordered_[n];
-    slots_[given_[n]] = to;
+  pairs_.resize(slot_.size());
+  const auto place = [&](std::uint32_t& slot, const IndexPair& pair) {
+    slot = next_[slot]++;
+    pairs_[slot] = pair;
+  };
+  for (std::size_t n = 0; n < ordered_.size(); ++n) place(slot_[n], ordered_[n]);
+  for (std::size_t n = 0; n < ofArena_.size(); ++n)
+    place(slot_[ordered_.size() + n], {ofArena_[n].a, balls_});
+}
+
+std::uint32_t ContactBatches::find(std::uint32_t a, std::uint32_t partner) const {
+  if (isBall(partner)) {
+    const auto [first, count] = runOf_[a];
+    for (std::uint32_t n = first; n < first + count; ++n)
+      if (ordered_[n].b == partner) return slot_[n];
+    return kNoPair;
   }
-  for (std::size_t n = 0; n < ofArena_.size(); ++n) {
-    const std::uint32_t to = next_[listOfArena_[n]]++;
-    pairs_[to] = {ofArena_[n].a, balls_};
-    slots_[ofArena_[n].b] = to;
-  }
+  const ArenaPair pair{a, partner};
+  const auto found = std::ranges::lower_bound(ofArena_, pair, isBefore);
+  if (found == ofArena_.end() || isBefore(pair, *found)) return kNoPair;
+  return slot_[ordered_.size() + static_cast<std::size_t>(found - ofArena_.begin())];
 }
 
 void ContactBatches::colour(std::span<const std::uint8_t> isNear) {
   const std::uint32_t between = tiles_ * kColours;
   used_.assign(balls_, {});
   next_.assign(between + kLasts + 1, 0);
-  list_.resize(ordered_.size());
   for (std::size_t n = 0; n < ordered_.size(); ++n) {
-    list_[n] = between + kFar;
+    std::uint32_t& list = slot_[n];
+    list = between + kFar;
     if (isNear[n]) {
       const auto [a, b] = ordered_[n];
       const std::uint32_t tile = a / kTileBalls;
       const bool isWithin = tile == b / kTileBalls;
       std::uint64_t Used::*const kind = isWithin ? &Used::within : &Used::between;
       const std::uint32_t colour = takeColour(used_[a].*kind, used_[b].*kind);
-      list_[n] = isWithin && colour < kColours ? tile * kColours + colour : between + colour;
+      list = isWithin && colour < kColours ? tile * kColours + colour : between + colour;
     }
-    ++next_[list_[n] + 1];
+    ++next_[list + 1];
   }
-  for (const std::uint32_t list : listOfArena_) ++next_[list + 1];
+  for (std::size_t n = 0; n < ofArena_.size(); ++n) {
+    std::uint32_t& list = slot_[ordered_.size() + n];
+    list = between + (ofArena_[n].partner == kGround ? kOfGround : kOfWall);
+    ++next_[list + 1];
+  }
   for (std::size_t list = 1; list < next_.size(); ++list) next_[list] += next_[list - 1];
 }
 

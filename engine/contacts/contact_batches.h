@@ -55,8 +55,10 @@ class ContactBatches {
   std::uint32_t firstFar() const { return firstFar_; }
   /// In the order of late batches; numbers in pairs().
   std::span<const std::uint32_t> late() const { return late_; }
-  /// By pair given, its place in pairs().
-  std::span<const std::uint32_t> slots() const { return slots_; }
+  static constexpr std::uint32_t kNoPair = 0xffffffff;
+  /// The number in pairs() of the pair of ball a (an index) with another, or with kGround or kWall;
+  /// kNoPair if there is none.
+  std::uint32_t find(std::uint32_t a, std::uint32_t partner) const;
 
  private:
   void colour(std::span<const std::uint8_t> isNear);
@@ -66,12 +68,14 @@ class ContactBatches {
   std::uint32_t firstFar_ = 0;
   std::vector<ContactBatch> batches_;
   std::vector<IndexPair> pairs_;
-  std::vector<std::uint32_t> slots_;
   std::vector<std::uint32_t> late_;
-  // Scratch.
   struct Run {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
+  };
+  struct ArenaPair {
+    std::uint32_t a;
+    std::uint32_t partner;
   };
   /// Colours that a ball has in contacts within its tile, and in others.
   struct Used {
@@ -79,15 +83,15 @@ class ContactBatches {
     std::uint64_t between = 0;
   };
   std::uint32_t balls_ = 0;
-  std::vector<Run> runOf_;                  // by ball, its pairs as a
-  std::vector<IndexPair> ordered_;          // those between balls
-  std::vector<std::uint32_t> given_;        // by ordered pair, its place among the pairs given
-  std::vector<std::uint32_t> list_;         // likewise, which batch, if empty ones are counted
-  std::vector<IndexPair> ofArena_;          // place of the ball; place among the pairs given
-  std::vector<std::uint32_t> listOfArena_;  // by such a pair
-  std::vector<std::uint32_t> lateColour_;   // by pair that touches
-  std::vector<Used> used_;                  // by ball
-  std::vector<std::uint32_t> next_;         // by such a batch
+  std::vector<Run> runOf_;          // by ball, its pairs as a
+  std::vector<IndexPair> ordered_;  // those between balls
+  std::vector<ArenaPair> ofArena_;  // by ball
+  // By pair of ordered_, then by pair of ofArena_: which batch, if empty ones are counted; then the
+  // number in pairs().
+  std::vector<std::uint32_t> slot_;
+  std::vector<std::uint32_t> lateColour_;  // by pair that touches
+  std::vector<Used> used_;                 // by ball
+  std::vector<std::uint32_t> next_;        // by such a batch
   std::vector<ContactBatch> arenaBatches_;
   std::size_t ballBatches_ = 0;  // of batches_, those that stay for the whole step
 };

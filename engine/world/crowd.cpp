@@ -13,7 +13,10 @@ constexpr double kFarApart = 1e6;             // m, of the two balls that idle l
 constexpr std::uint32_t kNever = 0xfffffff0;  // no substep, nor the one before the first
 constexpr std::size_t kLeastPairs = 256;      // that a thread gathers, or a shared batch has
 constexpr std::size_t kLeastBalls = 256;      // that a thread copies
-constexpr std::size_t kFlightBlock = 64;      // balls, that fit the cache as components
+// Times as many contacts as balls, which it takes longer to go through one after the other than to
+// look up those of each ball.
+constexpr std::size_t kFarMore = 8;
+constexpr std::size_t kFlightBlock = 64;  // balls, that fit the cache as components
 
 constexpr std::size_t kSpare = 64;  // records, so that small changes take no memory
 
@@ -32,28 +35,6 @@ class FlightBlock {
  private:
   using Component = std::array<double, kFlightBlock>;
   Component x_, y_, z_, vx_, vy_, vz_;
-};
-
-/// Looks up contacts in the order of pairs, going along with those of each ball.
-class OldContacts {
- public:
-  explicit OldContacts(const ContactMemory& memory) : memory_(memory) {}
-
-  const ContactMemory::Kept* find(const BallPair& pair) {
-    if (pair.a != ball_ || isBall(pair.b) != areBalls_) {
-      ball_ = pair.a;
-      areBalls_ = isBall(pair.b);
-      left_ = areBalls_ ? memory_.ofBall(ball_) : memory_.ofBallInArena(ball_);
-    }
-    while (!left_.empty() && left_.front().b < pair.b) left_ = left_.subspan(1);
-    return !left_.empty() && left_.front().b == pair.b ? &left_.front() : nullptr;
-  }
-
- private:
-  const ContactMemory& memory_;
-  std::uint32_t ball_ = kGround;
-  bool areBalls_ = false;
-  std::span<const ContactMemory::Kept> left_;
 };
 
 }  // namespace
@@ -132,23 +113,35 @@ void Crowd::gather(const CrowdInput& in, const Balls& balls, ThreadPool& pool) {
   });
   batches_.split(std::span(isNear_).first(ordered.size()));
   makeRoomFor(lasting_, pairs.size() + threads_);
-  makeRoomFor(touchedIn_, pairs.size() + threads_);
-  const double scale = in.memory.scaleTo(rules_.h);
-  const auto slots = batches_.slots();
-  pool.forRanges(pairs.size(), kLeastPairs, [&](std::size_t begin, std::size_t end, std::size_t) {
-    OldContacts old(in.memory);
-    for (std::size_t n = begin; n < end; ++n) {
-      const ContactMemory::Kept* const kept = old.find(pairs[n]);
-      touchedIn_[slots[n]] = kept ? 0 : kNever;
-      if (!kept) continue;
-      const Vec3 tangent = scale * kept->tangentImpulse;
-      lasting_[slots[n]] = {scale * kept->normalImpulse, tangent.x(), tangent.y(), tangent.z()};
-    }
-  });
-  for (std::size_t k = 0; k < threads_; ++k) {
-    lasting_[pairs.size() + k] = {};
-    touchedIn_[pairs.size() + k] = kNever;
+  touchedIn_.assign(pairs.size() + threads_, kNever);
+  startFrom(in.memory, pool);
+  for (std::size_t k = 0; k < threads_; ++k) lasting_[pairs.size() + k] = {};
+}
+
+/// From what the contacts ended the last step with.
+void Crowd::startFrom(const ContactMemory& memory, ThreadPool& pool) {
+  const double scale = memory.scaleTo(rules_.h);
+  // A ball that is not of the island has no place in it, or another's.
+  const auto isMine = [&](std::uint32_t i) {
+    return placeOf_[i] < island_.size() && island_[placeOf_[i]] == i;
+  };
+  const auto start = [&](const ContactMemory::Kept& kept) {
+    if (!isMine(kept.a) || (isBall(kept.b) && !isMine(kept.b))) return;
+    const std::uint32_t partner = isBall(kept.b) ? placeOf_[kept.b] : kept.b;
+    const std::uint32_t slot = batches_.find(placeOf_[kept.a], partner);
+    if (slot == ContactBatches::kNoPair) return;
+    const Vec3 tangent = scale * kept.tangentImpulse;
+    touchedIn_[slot] = 0;
+    lasting_[slot] = {scale * kept.normalImpulse, tangent.x(), tangent.y(), tangent.z()};
+  };
+  const auto all = memory.contacts();
+  if (all.size() > kFarMore * island_.size()) {
+    for (const std::uint32_t i : island_) memory.forEachOf(i, start);
+    return;
   }
+  pool.forRanges(all.size(), kLeastPairs, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (const ContactMemory::Kept& kept : all.subspan(begin, end - begin)) start(kept);
+  });
 }
 
 /// Who goes through which batches.
@@ -385,25 +378,21 @@ void Crowd::scatter(Balls& balls, IndexRange range) const {
   }
 }
 
-void Crowd::keep(std::span<const BallPair> pairs, ThreadPool& pool, ContactMemory& memory) {
-  const auto slots = batches_.slots();
-  const auto collect = [&](std::size_t begin, std::size_t end, std::size_t range) {
-    std::vector<ContactMemory::Kept>& kept = workers_[range].kept;
-    kept.clear();
-    for (std::size_t n = begin; n < end; ++n) {
-      const std::uint32_t slot = slots[n];
-      const LastingImpulse& lasting = lasting_[slot];
-      if (touchedIn_[slot] != rules_.substep || !(lasting.normal > 0)) continue;
-      kept.push_back({pairs[n].a,
-                      pairs[n].b,
-                      lasting.normal,
-                      {lasting.tx, lasting.ty, lasting.tz},
-                      Vec3::Zero()});
+void Crowd::keep(ContactMemory& memory) const {
+  forEachBlock([&](PartnerKind kind, const ContactBlock& block, const ContactFlight& flight) {
+    std::array<ContactMemory::Kept, kContactLanes> some;
+    std::size_t count = 0;
+    // Without a branch for each: whether a contact lasts cannot be foretold.
+    for (std::size_t lane = 0; lane < block.count; ++lane) {
+      some[count] = {island_[block.a[lane]],
+                     kind == PartnerKind::Ball ? island_[block.b[lane]] : partnerOf(kind),
+                     block.normal[lane],
+                     {block.tx[lane], block.ty[lane], block.tz[lane]},
+                     Vec3::Zero()};
+      count += flight.lasts[lane] * block.normal[lane] > 0 ? 1 : 0;
     }
-  };
-  pool.forRanges(pairs.size(), kLeastPairs, collect);
-  for (std::size_t range = 0; range < pool.ranges(pairs.size(), kLeastPairs); ++range)
-    memory.add(workers_[range].kept);
+    memory.add(std::span(some).first(count));
+  });
 }
 
 }  // namespace wells

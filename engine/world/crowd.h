@@ -37,8 +37,8 @@ class Crowd {
   /// Advances the balls of the island by settings.dt. Books it unless `books` is null.
   void step(const CrowdInput& in, Balls& balls, ThreadPool& pool, Books* books);
 
-  /// Adds the contacts that lasted to the end of the last step, in the order of the pairs.
-  void keep(std::span<const BallPair> pairs, ThreadPool& pool, ContactMemory& memory);
+  /// Adds the contacts that lasted to the end of the last step.
+  void keep(ContactMemory& memory) const;
 
   /// Null: none.
   void setClock(StageClock* clock) { clock_ = clock; }
@@ -59,17 +59,17 @@ class Crowd {
   };
   /// What a thread has to itself; on cache lines of its own.
   struct alignas(64) Worker {
-    CrowdSubstep substep;                   // what it found
-    double changed[2] = {0, 0};             // m/s, by parity of the pass
-    std::size_t used = 0;                   // of the blocks
-    std::vector<ContactBlock> blocks;       // with room for more
-    std::vector<ContactFlight> flights;     // of the same contacts
-    std::vector<std::uint32_t> touching;    // scratch
-    std::span<const std::uint32_t> late;    // of these, far pairs
-    std::vector<ContactMemory::Kept> kept;  // likewise
+    CrowdSubstep substep;                 // what it found
+    double changed[2] = {0, 0};           // m/s, by parity of the pass
+    std::size_t used = 0;                 // of the blocks
+    std::vector<ContactBlock> blocks;     // with room for more
+    std::vector<ContactFlight> flights;   // of the same contacts
+    std::vector<std::uint32_t> touching;  // scratch
+    std::span<const std::uint32_t> late;  // of these, far pairs
   };
 
   void gather(const CrowdInput& in, const Balls& balls, ThreadPool& pool);
+  void startFrom(const ContactMemory& memory, ThreadPool& pool);
   void planGroups();
   CrowdArrays arraysOf(std::size_t thread);
   // By all threads.
@@ -90,6 +90,15 @@ class Crowd {
   void forEachPart(std::size_t thread, Barrier& barrier, Action action);
   std::span<ContactBlock> blocksOf(std::size_t thread, const Part& part) {
     return std::span(workers_[thread].blocks).subspan(part.first, part.count);
+  }
+  /// Calls action(partner, block, flight) for all that the last substep prepared.
+  template <class Action>
+  void forEachBlock(Action action) const {
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+      const Worker& worker = workers_[p % threads_];
+      for (std::size_t n = parts_[p].first; n < parts_[p].first + parts_[p].count; ++n)
+        action(batches_.batches()[p / threads_].partner, worker.blocks[n], worker.flights[n]);
+    }
   }
   CrowdSubstep substepOfAll() const;
   void scatter(Balls& balls, IndexRange range) const;
