@@ -13,6 +13,7 @@
 
 #include "broadphase/ball_pair.h"
 #include "contacts/crowd_kernels.h"
+#include "threads/thread_pool.h"
 
 namespace wells {
 
@@ -34,13 +35,13 @@ class ContactBatches {
   /// (a, b), then those with the arena. place[id] is the place of ball id in `balls`, and the order
   /// of the pairs of a batch is that of `balls`.
   void order(std::span<const BallPair> pairs, std::span<const std::uint32_t> balls,
-             std::span<const std::uint32_t> place);
+             std::span<const std::uint32_t> place, ThreadPool& pool);
   /// Those between balls, in the order of `balls`; indices of balls.
   std::span<const IndexPair> ordered() const { return ordered_; }
 
   /// Splits into batches the pairs with isNear (1 or 0, by pair of ordered()) and those with the
   /// arena.
-  void split(std::span<const std::uint8_t> isNear);
+  void split(std::span<const std::uint8_t> isNear, ThreadPool& pool);
 
   /// For the substep at hand, batches of those far pairs (numbers in pairs()) that touch.
   void setLate(std::span<const std::uint32_t> touching);
@@ -61,7 +62,14 @@ class ContactBatches {
   std::uint32_t find(std::uint32_t a, std::uint32_t partner) const;
 
  private:
-  void colour(std::span<const std::uint8_t> isNear);
+  IndexRange ordersOf(std::uint32_t tile) const;
+  void colourTile(std::uint32_t tile, std::span<const std::uint8_t> isNear);
+  void colourBetween();
+  void placeTile(std::uint32_t tile);
+  void placeOthers();
+  void place(std::uint32_t& slot, const IndexPair& pair);
+  template <class Action>
+  void forEachBetween(Action action) const;
   void listBatches();
 
   std::uint32_t tiles_ = 0;
@@ -70,8 +78,9 @@ class ContactBatches {
   std::vector<IndexPair> pairs_;
   std::vector<std::uint32_t> late_;
   struct Run {
-    std::uint32_t first = 0;
+    std::uint32_t given = 0;  // the first of the pairs given
     std::uint32_t count = 0;
+    std::uint32_t first = 0;  // of ordered_
   };
   struct ArenaPair {
     std::uint32_t a;
@@ -89,6 +98,10 @@ class ContactBatches {
   // By pair of ordered_, then by pair of ofArena_: which batch, if empty ones are counted; then the
   // number in pairs().
   std::vector<std::uint32_t> slot_;
+  // Of each tile, from where its pairs begin in ordered_: those that are near, but not with a ball
+  // of the tile, or for which no colour was left. Numbers in ordered_.
+  std::vector<std::uint32_t> between_;
+  std::vector<std::uint32_t> betweenOf_;   // by tile, how many
   std::vector<std::uint32_t> lateColour_;  // by pair that touches
   std::vector<Used> used_;                 // by ball
   std::vector<std::uint32_t> next_;        // by such a batch

@@ -104,14 +104,14 @@ void Crowd::gather(const CrowdInput& in, const Balls& balls, ThreadPool& pool) {
   }
 
   const std::span<const BallPair> pairs = in.pairs;
-  batches_.order(pairs, island_, placeOf_);
+  batches_.order(pairs, island_, placeOf_, pool);
   const auto ordered = batches_.ordered();
   makeRoomFor(isNear_, ordered.size());
   const CrowdArrays arrays = arraysOf(0);
   pool.forRanges(ordered.size(), kLeastPairs, [&](std::size_t begin, std::size_t end, std::size_t) {
     findNear(in.settings.dt, arrays, ordered.subspan(begin, end - begin), isNear_.data() + begin);
   });
-  batches_.split(std::span(isNear_).first(ordered.size()));
+  batches_.split(std::span(isNear_).first(ordered.size()), pool);
   makeRoomFor(lasting_, pairs.size() + threads_);
   touchedIn_.assign(pairs.size() + threads_, kNever);
   startFrom(in.memory, pool);
