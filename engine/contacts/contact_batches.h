@@ -4,8 +4,8 @@
 // then those with the arena, whose word is final. Within each: greedy edge colouring, with a bit
 // mask of used colours for each ball.
 //
-// Pairs that will hardly touch (far ones) are in no batch. Those of them that do touch, found
-// substep by substep, are coloured then: late ones, done before those with the arena.
+// Pairs that will hardly touch are in no batch. Those of them that do touch, found in some substep,
+// are late: they are coloured substep by substep, and done before those with the arena.
 #pragma once
 
 #include <span>
@@ -13,6 +13,7 @@
 
 #include "broadphase/ball_pair.h"
 #include "contacts/crowd_kernels.h"
+#include "contacts/near_pairs.h"
 #include "threads/thread_pool.h"
 
 namespace wells {
@@ -31,39 +32,36 @@ struct ContactBatch {
 
 class ContactBatches {
  public:
-  /// Orders the pairs of the balls `balls`, for split(): given are first those between balls, by
-  /// (a, b), then those with the arena. place[id] is the place of ball id in `balls`, and the order
-  /// of the pairs of a batch is that of `balls`.
-  void order(std::span<const BallPair> pairs, std::span<const std::uint32_t> balls,
-             std::span<const std::uint32_t> place, ThreadPool& pool);
-  /// Those between balls, in the order of `balls`; indices of balls.
-  std::span<const IndexPair> ordered() const { return ordered_; }
+  /// Splits the near pairs of a crowd, and `arena`, those of its balls with ground and wall (any
+  /// order). place[id] is the place of ball id in the crowd. Behind its pairs come `idle` numbers
+  /// that are of none.
+  void split(const NearPairs& near, std::span<const BallPair> arena,
+             std::span<const std::uint32_t> place, std::size_t idle, ThreadPool& pool);
 
-  /// Splits into batches the pairs with isNear (1 or 0, by pair of ordered()) and those with the
-  /// arena.
-  void split(std::span<const std::uint8_t> isNear, ThreadPool& pool);
-
-  /// For the substep at hand, batches of those far pairs (numbers in pairs()) that touch.
+  /// Adds a pair that is late for the batches; it is in one only if setLate() has it.
+  void add(const IndexPair& late) { pairs_.push_back(late); }
+  /// For the substep at hand, batches of those late pairs (numbers in pairs()) that touch.
   void setLate(std::span<const std::uint32_t> touching);
 
   /// Those of tiles first, tile by tile.
   std::span<const ContactBatch> batches() const { return batches_; }
   std::uint32_t tiles() const { return tiles_; }
-  /// In the order of the batches, then those that are far. Indices of balls; b of a contact with
+  /// In the order of the batches; idle numbers; those added. Indices of balls; b of a contact with
   /// the arena is one behind all balls.
   std::span<const IndexPair> pairs() const { return pairs_; }
-  /// Of pairs(), the first that is far.
-  std::uint32_t firstFar() const { return firstFar_; }
+  std::uint32_t firstIdle() const { return firstIdle_; }
+  /// The first that was added, or would be.
+  std::uint32_t firstLate() const { return firstLate_; }
   /// In the order of late batches; numbers in pairs().
   std::span<const std::uint32_t> late() const { return late_; }
   static constexpr std::uint32_t kNoPair = 0xffffffff;
-  /// The number in pairs() of the pair of ball a (an index) with another, or with kGround or kWall;
-  /// kNoPair if there is none.
+  /// The number in pairs() of the near pair of ball a (an index) with another, or with kGround or
+  /// kWall; kNoPair if there is none.
   std::uint32_t find(std::uint32_t a, std::uint32_t partner) const;
 
  private:
-  IndexRange ordersOf(std::uint32_t tile) const;
-  void colourTile(std::uint32_t tile, std::span<const std::uint8_t> isNear);
+  IndexRange pairsOf(std::uint32_t tile) const;
+  void colourTile(std::uint32_t tile);
   void colourBetween();
   void placeTile(std::uint32_t tile);
   void placeOthers();
@@ -73,15 +71,11 @@ class ContactBatches {
   void listBatches();
 
   std::uint32_t tiles_ = 0;
-  std::uint32_t firstFar_ = 0;
+  std::uint32_t firstIdle_ = 0;
+  std::uint32_t firstLate_ = 0;
   std::vector<ContactBatch> batches_;
   std::vector<IndexPair> pairs_;
   std::vector<std::uint32_t> late_;
-  struct Run {
-    std::uint32_t given = 0;  // the first of the pairs given
-    std::uint32_t count = 0;
-    std::uint32_t first = 0;  // of ordered_
-  };
   struct ArenaPair {
     std::uint32_t a;
     std::uint32_t partner;
@@ -92,19 +86,19 @@ class ContactBatches {
     std::uint64_t between = 0;
   };
   std::uint32_t balls_ = 0;
-  std::vector<Run> runOf_;          // by ball, its pairs as a
-  std::vector<IndexPair> ordered_;  // those between balls
-  std::vector<ArenaPair> ofArena_;  // by ball
-  // By pair of ordered_, then by pair of ofArena_: which batch, if empty ones are counted; then the
+  std::span<const IndexPair> near_;
+  std::span<const std::uint32_t> firstOf_;  // as NearPairs has it
+  std::vector<ArenaPair> ofArena_;          // by ball
+  // By pair of near_, then by pair of ofArena_: which batch, if empty ones are counted; then the
   // number in pairs().
   std::vector<std::uint32_t> slot_;
-  // Of each tile, from where its pairs begin in ordered_: those that are near, but not with a ball
-  // of the tile, or for which no colour was left. Numbers in ordered_.
+  // Of each tile, from where its pairs begin in near_: those that are not with a ball of the tile,
+  // or for which no colour was left. Numbers in near_.
   std::vector<std::uint32_t> between_;
   std::vector<std::uint32_t> betweenOf_;   // by tile, how many
-  std::vector<std::uint32_t> lateColour_;  // by pair that touches
   std::vector<Used> used_;                 // by ball
   std::vector<std::uint32_t> next_;        // by such a batch
+  std::vector<std::uint32_t> lateColour_;  // by pair that touches
   std::vector<ContactBatch> arenaBatches_;
   std::size_t ballBatches_ = 0;  // of batches_, those that stay for the whole step
 };

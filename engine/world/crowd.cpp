@@ -47,7 +47,8 @@ void Crowd::step(const CrowdInput& in, Balls& balls, ThreadPool& pool, Books* bo
   island_ = order_.ids();
   rules_ = {h, in.settings.elasticity, in.settings.friction, *in.model.arena, 0};
   threads_ = static_cast<std::size_t>(pool.threads());
-  gather(in, balls, pool);
+  gather(balls, pool);
+  findContacts(in, pool);
   planGroups();
   for (int n = 0; n < substeps; ++n) {
     rules_.substep = static_cast<std::uint32_t>(n + 1);
@@ -79,9 +80,10 @@ void Crowd::runSubstep(const CrowdInput& in, double start, ThreadPool& pool) {
   });
 }
 
-void Crowd::gather(const CrowdInput& in, const Balls& balls, ThreadPool& pool) {
+void Crowd::gather(const Balls& balls, ThreadPool& pool) {
   const std::size_t count = island_.size();
   const std::size_t idle = 2 * threads_;
+  if (workers_.size() < threads_) workers_.resize(threads_);
   makeRoomFor(placeOf_, balls.size());
   makeRoomFor(place_, count + idle);
   makeRoomFor(momentum_, count + idle);
@@ -102,20 +104,22 @@ void Crowd::gather(const CrowdInput& in, const Balls& balls, ThreadPool& pool) {
     momentum_[count + k] = {.inverseMass = 1};
     gained_[count + k] = {};
   }
+}
 
-  const std::span<const BallPair> pairs = in.pairs;
-  batches_.order(pairs, island_, placeOf_, pool);
-  const auto ordered = batches_.ordered();
-  makeRoomFor(isNear_, ordered.size());
-  const CrowdArrays arrays = arraysOf(0);
-  pool.forRanges(ordered.size(), kLeastPairs, [&](std::size_t begin, std::size_t end, std::size_t) {
-    findNear(in.settings.dt, arrays, ordered.subspan(begin, end - begin), isNear_.data() + begin);
-  });
-  batches_.split(std::span(isNear_).first(ordered.size()), pool);
-  makeRoomFor(lasting_, pairs.size() + threads_);
-  touchedIn_.assign(pairs.size() + threads_, kNever);
+void Crowd::findContacts(const CrowdInput& in, ThreadPool& pool) {
+  const auto arena =
+      std::ranges::partition_point(in.pairs, isBall, [](const BallPair& p) { return p.b; });
+  near_.find({in.pairs.begin(), arena}, island_, placeOf_, in.settings.dt, arraysOf(0), pool);
+  batches_.split(near_, {arena, in.pairs.end()}, placeOf_, threads_, pool);
+  lasting_.clear();
+  touchedIn_.clear();
+  makeRoomForLasting();
   startFrom(in.memory, pool);
-  for (std::size_t k = 0; k < threads_; ++k) lasting_[pairs.size() + k] = {};
+}
+
+void Crowd::makeRoomForLasting() {
+  lasting_.resize(batches_.pairs().size());
+  touchedIn_.resize(batches_.pairs().size(), kNever);
 }
 
 /// From what the contacts ended the last step with.
@@ -159,7 +163,6 @@ void Crowd::planGroups() {
       groups_.push_back({n, n + 1, sharing});
   }
   parts_.assign(batches.size() * threads_, {});
-  if (workers_.size() < threads_) workers_.resize(threads_);
 }
 
 CrowdArrays Crowd::arraysOf(std::size_t thread) {
@@ -171,7 +174,7 @@ CrowdArrays Crowd::arraysOf(std::size_t thread) {
           lasting_.data(),
           touchedIn_.data(),
           static_cast<std::uint32_t>(island_.size() + 2 * thread),
-          static_cast<std::uint32_t>(batches_.pairs().size() + thread)};
+          static_cast<std::uint32_t>(batches_.firstIdle() + thread)};
 }
 
 void Crowd::fly(const CrowdInput& in, double start, IndexRange range) {
@@ -235,31 +238,40 @@ bool Crowd::takesPart(std::size_t thread, Sharing sharing, const ContactBatch& b
 }
 
 std::span<const std::uint32_t> Crowd::touching(std::size_t thread, PartnerKind partner,
-                                               std::size_t first, std::size_t last) {
+                                               const IndexPair* pairs, std::size_t first,
+                                               std::size_t last) {
   std::vector<std::uint32_t>& list = workers_[thread].touching;
   makeRoomFor(list, last - first);
-  return {list.data(),
-          findTouching(partner, rules_, arraysOf(thread), static_cast<std::uint32_t>(first),
-                       static_cast<std::uint32_t>(last), list.data())};
+  CrowdArrays arrays = arraysOf(thread);
+  arrays.pairs = pairs;
+  return {list.data(), findTouching(partner, rules_, arrays, static_cast<std::uint32_t>(first),
+                                    static_cast<std::uint32_t>(last), list.data())};
 }
 
 // Where something has been deflected, far pairs touch, which were not kept ready.
 void Crowd::findLate(std::size_t thread, Barrier& barrier) {
-  const std::size_t firstFar = batches_.firstFar();
-  const auto [begin, end] =
-      partOf(batches_.pairs().size() - firstFar, kContactLanes, thread, threads_);
-  workers_[thread].late = touching(thread, PartnerKind::Ball, firstFar + begin, firstFar + end);
+  const auto far = near_.far(thread);
+  workers_[thread].late = touching(thread, PartnerKind::Ball, far.data(), 0, far.size());
   barrier.wait();
-  if (thread == 0) {
-    late_.clear();
-    for (const Worker& from : std::span(workers_).first(threads_))
-      late_.insert(late_.end(), from.late.begin(), from.late.end());
-    if (!late_.empty() || !batches_.late().empty()) {
-      batches_.setLate(late_);
-      planGroups();
+  if (thread == 0) addLate();
+  barrier.wait();
+}
+
+void Crowd::addLate() {
+  const std::uint32_t idle = arraysOf(0).idleBall;
+  for (std::size_t thread = 0; thread < threads_; ++thread) {
+    const auto far = near_.far(thread);
+    for (const std::uint32_t n : workers_[thread].late) {
+      batches_.add(far[n]);
+      far[n] = {idle, idle + 1};  // which never touch
     }
   }
-  barrier.wait();
+  const std::size_t first = batches_.firstLate();
+  const std::size_t last = batches_.pairs().size();
+  if (first == last) return;
+  makeRoomForLasting();
+  batches_.setLate(touching(0, PartnerKind::Ball, batches_.pairs().data(), first, last));
+  planGroups();
 }
 
 // Nothing moves yet, so each thread goes through all that is its own.
@@ -276,9 +288,10 @@ void Crowd::prepare(std::size_t thread, Barrier& barrier) {
       const IndexRange range = group.sharing == Sharing::Batch
                                    ? partOf(last - first, kContactLanes, thread, threads_)
                                    : IndexRange{0, last - first};
-      const auto list = of == ContactBatch::Of::Late
-                            ? batches_.late().subspan(first + range.begin, range.end - range.begin)
-                            : touching(thread, partner, first + range.begin, first + range.end);
+      const auto list =
+          of == ContactBatch::Of::Late
+              ? batches_.late().subspan(first + range.begin, range.end - range.begin)
+              : touching(thread, partner, arrays.pairs, first + range.begin, first + range.end);
       Part& part = parts_[n * threads_ + thread];
       part = {worker.used, (list.size() + kContactLanes - 1) / kContactLanes};
       worker.used += part.count;

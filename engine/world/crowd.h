@@ -12,6 +12,7 @@
 #include "contacts/contact_batches.h"
 #include "contacts/crowd_kernels.h"
 #include "contacts/ledger.h"
+#include "contacts/near_pairs.h"
 #include "contacts/path.h"
 #include "contacts/spatial_order.h"
 #include "state/books.h"
@@ -68,7 +69,9 @@ class Crowd {
     std::span<const std::uint32_t> late;  // of these, far pairs
   };
 
-  void gather(const CrowdInput& in, const Balls& balls, ThreadPool& pool);
+  void gather(const Balls& balls, ThreadPool& pool);
+  void findContacts(const CrowdInput& in, ThreadPool& pool);
+  void makeRoomForLasting();
   void startFrom(const ContactMemory& memory, ThreadPool& pool);
   void planGroups();
   CrowdArrays arraysOf(std::size_t thread);
@@ -77,8 +80,10 @@ class Crowd {
   void fly(const CrowdInput& in, double start, IndexRange range);
   /// Those of pairs first .. last - 1 that touch, until the thread asks again.
   std::span<const std::uint32_t> touching(std::size_t thread, PartnerKind partner,
-                                          std::size_t first, std::size_t last);
+                                          const IndexPair* pairs, std::size_t first,
+                                          std::size_t last);
   void findLate(std::size_t thread, Barrier& barrier);
+  void addLate();
   void prepare(std::size_t thread, Barrier& barrier);
   void solve(const Settings& settings, std::size_t thread, Barrier& barrier);
   void shift(std::size_t thread, Barrier& barrier);
@@ -129,12 +134,11 @@ class Crowd {
   std::vector<Place> place_;
   std::vector<Momentum> momentum_;
   std::vector<Gained> gained_;
-  // By pair in the order of the batches, then the idle ones.
+  NearPairs near_;
+  // By pair in the order of the batches; idle ones; late ones.
   ContactBatches batches_;
   std::vector<LastingImpulse> lasting_;
   std::vector<std::uint32_t> touchedIn_;
-  std::vector<std::uint32_t> late_;   // far pairs that touch in this substep
-  std::vector<std::uint8_t> isNear_;  // by pair of balls in the order of the crowd
   // By batch.
   std::vector<Group> groups_;
   std::vector<Part> parts_;      // of each batch, by thread
