@@ -47,7 +47,7 @@ void Crowd::step(const CrowdInput& in, Balls& balls, ThreadPool& pool, Books* bo
   island_ = order_.ids();
   rules_ = {h, in.settings.elasticity, in.settings.friction, *in.model.arena, 0};
   threads_ = static_cast<std::size_t>(pool.threads());
-  gather(balls, pool);
+  gather(in.island, balls, pool);
   findContacts(in, pool);
   planGroups();
   for (int n = 0; n < substeps; ++n) {
@@ -59,7 +59,7 @@ void Crowd::step(const CrowdInput& in, Balls& balls, ThreadPool& pool, Books* bo
       runSubstep(in, n * h, pool);
   }
   pool.forRanges(island_.size(), kLeastBalls, [&](std::size_t begin, std::size_t end, std::size_t) {
-    scatter(balls, {begin, end});
+    scatter(in.island.subspan(begin, end - begin), balls);
   });
 }
 
@@ -80,7 +80,7 @@ void Crowd::runSubstep(const CrowdInput& in, double start, ThreadPool& pool) {
   });
 }
 
-void Crowd::gather(const Balls& balls, ThreadPool& pool) {
+void Crowd::gather(std::span<const std::uint32_t> ids, const Balls& balls, ThreadPool& pool) {
   const std::size_t count = island_.size();
   const std::size_t idle = 2 * threads_;
   if (workers_.size() < threads_) workers_.resize(threads_);
@@ -89,12 +89,15 @@ void Crowd::gather(const Balls& balls, ThreadPool& pool) {
   makeRoomFor(momentum_, count + idle);
   makeRoomFor(gained_, count + idle);
   pool.forRanges(count, kLeastBalls, [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t k = begin; k < end; ++k) {
-      const std::uint32_t i = island_[k];
+    for (std::size_t k = begin; k < end; ++k) placeOf_[island_[k]] = static_cast<std::uint32_t>(k);
+  });
+  // In the order of the world, of which more arrays are read than of the crowd written.
+  pool.forRanges(count, kLeastBalls, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (const std::uint32_t i : ids.subspan(begin, end - begin)) {
+      const std::uint32_t k = placeOf_[i];
       const Vec3& x = balls.position[i];
       const Vec3& v = balls.velocity[i];
       const Vec3 s = balls.radius[i] * balls.spin[i];
-      placeOf_[i] = static_cast<std::uint32_t>(k);
       place_[k] = {x.x(), x.y(), x.z(), balls.radius[i]};
       momentum_[k] = {v.x(), v.y(), v.z(), 1 / balls.mass[i], s.x(), s.y(), s.z(), 0};
     }
@@ -380,11 +383,10 @@ void Crowd::keepInArena() {
   }
 }
 
-void Crowd::scatter(Balls& balls, IndexRange range) const {
-  for (std::size_t k = range.begin; k < range.end; ++k) {
-    const Place& x = place_[k];
-    const Momentum& m = momentum_[k];
-    const std::uint32_t i = island_[k];
+void Crowd::scatter(std::span<const std::uint32_t> ids, Balls& balls) const {
+  for (const std::uint32_t i : ids) {
+    const Place& x = place_[placeOf_[i]];
+    const Momentum& m = momentum_[placeOf_[i]];
     balls.position[i] = {x.x, x.y, x.z};
     balls.velocity[i] = {m.vx, m.vy, m.vz};
     balls.spin[i] = Vec3(m.sx, m.sy, m.sz) / x.radius;

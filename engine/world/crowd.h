@@ -69,7 +69,7 @@ class Crowd {
     std::span<const std::uint32_t> late;  // of these, far pairs
   };
 
-  void gather(const Balls& balls, ThreadPool& pool);
+  void gather(std::span<const std::uint32_t> ids, const Balls& balls, ThreadPool& pool);
   void findContacts(const CrowdInput& in, ThreadPool& pool);
   void makeRoomForLasting();
   void startFrom(const ContactMemory& memory, ThreadPool& pool);
@@ -106,8 +106,7 @@ class Crowd {
     }
   }
   CrowdSubstep substepOfAll() const;
-  void scatter(Balls& balls, IndexRange range) const;
-  void scatter(Balls& balls) const { scatter(balls, {0, island_.size()}); }
+  void scatter(std::span<const std::uint32_t> ids, Balls& balls) const;
 
   // Booking (crowd_books.cpp), from states between the parts of a substep; `balls` get these.
   struct Booking {

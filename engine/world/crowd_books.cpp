@@ -34,7 +34,7 @@ void Crowd::runBookedSubstep(const CrowdInput& in, double start, ThreadPool& poo
 }
 
 void Crowd::bookFlights(const CrowdInput& in, double start, Balls& balls, Books& books) const {
-  scatter(balls);
+  scatter(island_, balls);
   const Ledger ledger{&books, in.model.arena->center};
   for (const std::uint32_t i : island_)
     if (!in.isLeaning[i])
@@ -43,7 +43,7 @@ void Crowd::bookFlights(const CrowdInput& in, double start, Balls& balls, Books&
 }
 
 Crowd::Booking Crowd::bookingOf(const PathModel& model, double time, Balls& balls) const {
-  scatter(balls);
+  scatter(island_, balls);
   Booking booking;
   for (const std::uint32_t i : island_) {
     const double surface = balls.radius[i] * balls.radius[i] * squaredLength(balls.spin[i]);
