@@ -32,4 +32,8 @@ inline constexpr int kPassesLossless = 256;
 /// further within a substep, substeps are too coarse to tell what rests.
 inline constexpr double kNear = 0.01;
 
+/// Balls that would pass each other at more than this (of the sum of their radii) within a step
+/// will hardly touch in it: such pairs of a crowd are looked at, but not kept ready.
+inline constexpr double kFarGap = 0.05;
+
 }  // namespace wells

@@ -266,7 +266,7 @@ class Simulation : public Stepper {
       crowd_.step({world.settings, input.model, island, islands_.pairs(n), candidates_.isLeaning(),
                    contactMemory_},
                   world.balls, *pool_, keeper_.books() ? &stepBooks_ : nullptr);
-      crowd_.keep(islands_.pairs(n), *pool_, nextMemory_);
+      crowd_.keep(nextMemory_);
       counts_.substepBalls += static_cast<std::int64_t>(island.size());
       markDone(n);
     }
