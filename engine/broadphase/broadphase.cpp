@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "broadphase/grid_broadphase.h"
-#include "math/elementary.h"
 
 // Bullet's two builds share their headers; a forgotten BT_USE_DOUBLE_PRECISION would link and then
 // read floats as doubles.
@@ -37,22 +36,20 @@ constexpr double kMostPairsWithSkin = 16;
 // the grid took 2.0 to 2.8 ms a step and the tree more than 100, but a tenth were large; a few
 // large ones among many small cost the grid most.
 constexpr double kMostUnequalRadii = 3;
-constexpr int kWallPieces = 64;
 // Each ball that is removed costs a look at all pairs; of more at once, those that stay are built
 // afresh.
 constexpr std::size_t kMostRemoved = 16;
-constexpr double kFarAway = 1e15;  // m; beyond any arena, and still exact enough to sort
 
 btVector3 toBullet(const Vec3& v) {
   return {v.x(), v.y(), v.z()};
 }
 
-// What a proxy stands for, a ball, kGround or kWall, is kept in Bullet's user pointer.
-void* asClient(std::uint32_t partner) {
-  return reinterpret_cast<void*>(std::uintptr_t{partner});
+// Which ball a proxy stands for is kept in Bullet's user pointer.
+void* asClient(std::uint32_t ball) {
+  return reinterpret_cast<void*>(std::uintptr_t{ball});
 }
 
-std::uint32_t partnerOf(const btBroadphaseProxy* proxy) {
+std::uint32_t ballOf(const btBroadphaseProxy* proxy) {
   return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(proxy->m_clientObject));
 }
 
@@ -79,16 +76,14 @@ struct Broadphase::Proxies {
   std::unique_ptr<GridBroadphase> grid;    // or that
   btBroadphaseInterface* broadphase = nullptr;
   std::vector<btBroadphaseProxy*> ofBall;  // null: not finite, in no pair
-  std::vector<btBroadphaseProxy*> ofArena;
-  std::vector<KnownSphere> spheres;  // by ball, of the grid
-  int stepsServed = kFewSteps;       // by the present list
-  int listsWithoutSkin = 0;          // that are to follow
-  double volume = 0;                 // m^3, of the spheres of the present list, all but a factor
-  Arena arena;
+  std::vector<KnownSphere> spheres;        // by ball, of the grid
+  int stepsServed = kFewSteps;             // by the present list
+  int listsWithoutSkin = 0;                // that are to follow
+  double volume = 0;  // m^3, of the spheres of the present list, all but a factor
   BroadphaseKind chosen;
 
   explicit Proxies(const World& world)
-      : ofBall(world.balls.size(), nullptr), arena(world.arena), chosen(world.settings.broadphase) {
+      : ofBall(world.balls.size(), nullptr), chosen(world.settings.broadphase) {
     const BroadphaseKind kind =
         chosen == BroadphaseKind::Auto ? broadphaseFor(world.balls.radius) : chosen;
     if (kind == BroadphaseKind::Tree) {
@@ -100,7 +95,6 @@ struct Broadphase::Proxies {
       broadphase = grid.get();
       spheres.resize(world.balls.size());
     }
-    addArena();
   }
   Proxies(const Proxies&) = delete;
   Proxies& operator=(const Proxies&) = delete;
@@ -109,42 +103,12 @@ struct Broadphase::Proxies {
   // search all of them for its own.
   ~Proxies() {
     broadphase->getOverlappingPairCache()->getOverlappingPairArray().clear();
-    for (auto* const proxy : ofArena) broadphase->destroyProxy(proxy, nullptr);
     for (auto* const proxy : ofBall)
       if (proxy) broadphase->destroyProxy(proxy, nullptr);
   }
 
-  btBroadphaseProxy* add(const Vec3& low, const Vec3& high, std::uint32_t partner) {
-    // Ground and wall (group 2) pair with balls (group 1) only.
-    const int group = isBall(partner) ? 1 : 2;
-    const int mask = isBall(partner) ? 3 : 1;
-    return broadphase->createProxy(toBullet(low), toBullet(high), 0, asClient(partner), group, mask,
-                                   nullptr);
-  }
-
-  void addArena() {
-    const Vec3 c = arena.center;
-    ofArena.push_back(add({c.x() - kFarAway, c.y() - kFarAway, c.z() - kFarAway},
-                          {c.x() + kFarAway, c.y(), c.z() + kFarAway}, kGround));
-    // Each piece covers everything beyond the wall in its sector as well, so that a ball cannot
-    // pass it by in one step.
-    const double inner = arena.radius;
-    const double outer = kFarAway;
-    for (int piece = 0; piece < kWallPieces; ++piece) {
-      const SinCos from = sinCosOfTurns(static_cast<double>(piece) / kWallPieces);
-      const SinCos to = sinCosOfTurns(static_cast<double>(piece + 1) / kWallPieces);
-      Vec3 low{kFarAway, -kFarAway, kFarAway};
-      Vec3 high{-kFarAway, kFarAway, -kFarAway};
-      for (const SinCos& edge : {from, to})
-        for (const double r : {inner, outer}) {
-          low.x() = std::min(low.x(), r * edge.cos);
-          low.z() = std::min(low.z(), r * edge.sin);
-          high.x() = std::max(high.x(), r * edge.cos);
-          high.z() = std::max(high.z(), r * edge.sin);
-        }
-      // Multiples of a quarter turn are edges of pieces, so the corners bound the arc itself.
-      ofArena.push_back(add(c + low, c + high, kWall));
-    }
+  btBroadphaseProxy* add(const Vec3& low, const Vec3& high, std::uint32_t ball) {
+    return broadphase->createProxy(toBullet(low), toBullet(high), 0, asClient(ball), 1, 1, nullptr);
   }
 
   /// Whether the list that is made next is to serve several steps.
@@ -175,8 +139,6 @@ void Broadphase::build(const World& world) {
 
 bool Broadphase::isBuiltFor(const World& world) const {
   return proxies_ && proxies_->ofBall.size() == world.balls.size() &&
-         proxies_->arena.center == world.arena.center &&
-         proxies_->arena.radius == world.arena.radius &&
          proxies_->chosen == world.settings.broadphase &&
          (removed_ <= kMostRemoved || proxies_->grid);
 }
@@ -301,7 +263,7 @@ void Broadphase::findIn(const Vec3& low, const Vec3& high,
   struct Collector : btBroadphaseAabbCallback {
     std::vector<std::uint32_t>* found = nullptr;
     bool process(const btBroadphaseProxy* proxy) override {
-      if (isBall(partnerOf(proxy))) found->push_back(partnerOf(proxy));
+      found->push_back(ballOf(proxy));
       return true;
     }
   } collector;
@@ -310,25 +272,16 @@ void Broadphase::findIn(const Vec3& low, const Vec3& high,
 }
 
 void Broadphase::list() {
-  nearGround_.clear();
-  nearWall_.clear();
-  const auto take = [&](std::uint32_t x, std::uint32_t y) {
-    const std::uint32_t upper = std::max(x, y);
-    if (isBall(upper))
-      sorter_.add(x, y);
-    else
-      (upper == kGround ? nearGround_ : nearWall_).push_back(std::min(x, y));
-  };
+  const auto add = [&](std::uint32_t x, std::uint32_t y) { sorter_.add(x, y); };
   if (const GridBroadphase* const grid = proxies_->grid.get()) {
     sorter_.begin(proxies_->ofBall.size(), grid->pairs());
-    // Ground and wall are never in cells.
-    grid->forEachPair([&](std::uint32_t x, std::uint32_t y) { sorter_.add(x, y); }, take);
+    grid->forEachPair(add, add);
   } else {
     const btBroadphasePairArray& pairs =
         proxies_->broadphase->getOverlappingPairCache()->getOverlappingPairArray();
     sorter_.begin(proxies_->ofBall.size(), static_cast<std::size_t>(pairs.size()));
     for (int n = 0; n < pairs.size(); ++n)
-      take(partnerOf(pairs[n].m_pProxy0), partnerOf(pairs[n].m_pProxy1));
+      sorter_.add(ballOf(pairs[n].m_pProxy0), ballOf(pairs[n].m_pProxy1));
   }
   sorter_.finish(ballPairs_);
 }

@@ -68,7 +68,7 @@ void CellGrid::sort(std::span<btBroadphaseProxy* const> boxes) {
     entries_.push_back(entry);
   }
   fillSlots();
-  boundBlocks();
+  blocks_.clear();
 }
 
 void CellGrid::layOut(std::span<btBroadphaseProxy* const> boxes) {
@@ -238,7 +238,6 @@ void CellGrid::find(SlotRange range, FoundPartners& found) const {
 }
 
 void CellGrid::boundBlocks() {
-  blocks_.clear();
   const bool areSpheres = content_ == BoxContent::Spheres;
   const std::array centers{&sorted_.x, &sorted_.y, &sorted_.z};
   const std::array halves{&sorted_.halfX, areSpheres ? &sorted_.halfX : &sorted_.halfY,
@@ -262,7 +261,8 @@ void CellGrid::boundBlocks() {
   }
 }
 
-void CellGrid::findIn(const btBroadphaseProxy& box, std::vector<std::uint32_t>& found) const {
+void CellGrid::findIn(const btBroadphaseProxy& box, std::vector<std::uint32_t>& found) {
+  if (blocks_.empty()) boundBlocks();
   // Written so that a face that is not a number is as far away as can be.
   constexpr double kMost = std::numeric_limits<float>::max();
   constexpr float kInfinity = std::numeric_limits<float>::infinity();

@@ -46,7 +46,7 @@ class CellGrid {
   void find(SlotRange range, FoundPartners& found) const;
 
   /// Lists the slots that may overlap a box.
-  void findIn(const btBroadphaseProxy& box, std::vector<std::uint32_t>& found) const;
+  void findIn(const btBroadphaseProxy& box, std::vector<std::uint32_t>& found);
 
   std::size_t cells() const { return start_.empty() ? 0 : start_.size() - 1; }
 
@@ -83,7 +83,7 @@ class CellGrid {
   std::vector<std::uint32_t> cellOf_, boxOf_;  // by slot
   std::vector<std::uint32_t> large_;
   SortedBoxes sorted_;
-  std::vector<Block> blocks_;
+  std::vector<Block> blocks_;  // made when asked for
 };
 
 }  // namespace wells
