@@ -1,10 +1,9 @@
-// Candidate pairs from a broadphase of Bullet's interface: which balls may touch which balls during
-// a step. Not the ground and the wall: their exact gaps cost less than boxes (of 100,000 balls a
-// third of a millisecond, boxes 2 ms).
+// Candidate pairs: which balls may touch which balls during a step, by Bullet's tree of boxes or by
+// a grid. Not the ground and the wall: their exact gaps cost less than boxes.
 //
-// Balls are proxies. A ball's box is made larger than the step needs and set anew only when the
-// ball leaves it, so that one list of pairs serves many steps. The pairs are a superset: what is
-// near is decided by exact gaps, in contacts/.
+// What a ball is known by is made larger than the step needs and set anew only when the ball leaves
+// it, so that one list of pairs serves many steps. The pairs are a superset: what is near is
+// decided by exact gaps, in contacts/.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +12,8 @@
 #include <vector>
 
 #include "broadphase/ball_pair.h"
+#include "broadphase/sphere_pairs.h"
+#include "broadphase/tree_pairs.h"
 #include "state/world.h"
 #include "threads/thread_pool.h"
 
@@ -24,11 +25,6 @@ BroadphaseKind broadphaseFor(std::span<const double> radii);
 
 class Broadphase {
  public:
-  Broadphase();
-  ~Broadphase();
-  Broadphase(const Broadphase&) = delete;
-  Broadphase& operator=(const Broadphase&) = delete;
-
   /// Brings the boxes up to date and lists the candidate pairs. reach[i] (m, >= 0) bounds how far
   /// ball i may move in the step: every pair whose gap is at most the sum of its reaches is
   /// listed. A change in the number of balls or in Settings::broadphase starts afresh. A ball whose
@@ -46,28 +42,23 @@ class Broadphase {
 
   /// Appends balls of the last update, in no particular order: all that may come, within their
   /// reaches, to a place from low to high (m), and others.
-  void findIn(const Vec3& low, const Vec3& high, std::vector<std::uint32_t>& found) const;
+  void findIn(const Vec3& low, const Vec3& high, std::vector<std::uint32_t>& found);
 
-  /// Proxies that the last update moved, added or removed, for benchmarks.
+  /// Boxes or spheres that the last update set or removed, for benchmarks.
   std::int64_t moved() const { return moved_; }
 
  private:
-  struct Proxies;
-  void build(const World& world);
   bool isBuiltFor(const World& world) const;
-  void removeProxy(std::uint32_t ball);
-  void updateBoxes(const World& world, std::span<const double> reach,
-                   std::span<const std::uint32_t> among);
-  void updateSpheres(const World& world, std::span<const double> reach,
-                     std::span<const std::uint32_t> among);
-  void list();
+  void build(const World& world);
 
-  std::unique_ptr<Proxies> proxies_;
-  PairSorter sorter_;
+  // One of the two, once there is one.
+  std::unique_ptr<TreePairs> tree_;
+  std::unique_ptr<SpherePairs> spheres_;
+  BroadphaseKind chosen_ = BroadphaseKind::Auto;  // in the settings
+  std::size_t balls_ = 0;
   std::vector<BallPair> ballPairs_;
   std::int64_t moved_ = 0;
-  std::size_t removed_ = 0;   // since the last update
-  bool arePairsOld_ = false;  // because of them
+  ThreadPool alone_;
 };
 
 }  // namespace wells

@@ -49,6 +49,7 @@ void ContactMemory::add(std::span<const Kept> contacts) {
 
 void ContactMemory::arrange() {
   firstOf_.clear();
+  next_.reserve(kept_.capacity());
   next_.resize(kept_.size());
   for (std::uint32_t n = 0; n < kept_.size(); ++n) {
     const std::uint32_t a = kept_[n].a;
