@@ -38,7 +38,7 @@ void ContactBatches::forEachBetween(Action action) const {
   }
 }
 
-void ContactBatches::split(const NearPairs& near, std::span<const BallPair> arena,
+void ContactBatches::split(const PairsByBall& near, std::span<const BallPair> arena,
                            std::span<const std::uint32_t> place, std::size_t idle,
                            ThreadPool& pool) {
   const auto forTiles = [&](auto action) {
@@ -46,9 +46,8 @@ void ContactBatches::split(const NearPairs& near, std::span<const BallPair> aren
       for (std::size_t tile = begin; tile < end; ++tile) action(static_cast<std::uint32_t>(tile));
     });
   };
-  near_ = near.pairs();
-  firstOf_ = near.firstOf();
-  balls_ = static_cast<std::uint32_t>(firstOf_.size() - 1);
+  near_ = near;
+  balls_ = static_cast<std::uint32_t>(near_.firstOf.size() - 1);
   tiles_ = (balls_ + kTileBalls - 1) / kTileBalls;
   ofArena_.resize(arena.size());
   std::ranges::transform(arena, ofArena_.begin(), [&](const BallPair& pair) {
@@ -56,8 +55,8 @@ void ContactBatches::split(const NearPairs& near, std::span<const BallPair> aren
   });
   std::ranges::sort(ofArena_, isBefore);
 
-  slot_.resize(near_.size() + ofArena_.size());
-  between_.resize(near_.size());
+  slot_.resize(near_.pairs.size() + ofArena_.size());
+  between_.resize(near_.pairs.size());
   betweenOf_.resize(tiles_);
   used_.resize(balls_);
   next_.assign(tiles_ * kColours + kLasts + 1, 0);
@@ -74,7 +73,8 @@ void ContactBatches::split(const NearPairs& near, std::span<const BallPair> aren
 }
 
 IndexRange ContactBatches::pairsOf(std::uint32_t tile) const {
-  return {firstOf_[tile * kTileBalls], firstOf_[std::min(balls_, (tile + 1) * kTileBalls)]};
+  return {near_.firstOf[tile * kTileBalls],
+          near_.firstOf[std::min(balls_, (tile + 1) * kTileBalls)]};
 }
 
 // All that the balls of a tile have as the first of two.
@@ -85,7 +85,7 @@ void ContactBatches::colourTile(std::uint32_t tile) {
   const auto [begin, end] = pairsOf(tile);
   std::uint32_t* between = between_.data() + begin;
   for (std::size_t n = begin; n < end; ++n) {
-    const auto [a, b] = near_[n];
+    const auto [a, b] = near_.pairs[n];
     const bool isWithin = firstBall <= b && b < lastBall;
     const std::uint32_t colour = isWithin ? takeColour(used_[a].within, used_[b].within) : kColours;
     if (colour < kColours) {
@@ -102,12 +102,12 @@ void ContactBatches::colourTile(std::uint32_t tile) {
 void ContactBatches::colourBetween() {
   const std::uint32_t between = tiles_ * kColours;
   forEachBetween([&](std::uint32_t n) {
-    const auto [a, b] = near_[n];
+    const auto [a, b] = near_.pairs[n];
     slot_[n] = between + takeColour(used_[a].between, used_[b].between);
     ++next_[slot_[n] + 1];
   });
   for (std::size_t n = 0; n < ofArena_.size(); ++n) {
-    std::uint32_t& list = slot_[near_.size() + n];
+    std::uint32_t& list = slot_[near_.pairs.size() + n];
     list = between + (ofArena_[n].partner == kGround ? kOfGround : kOfWall);
     ++next_[list + 1];
   }
@@ -116,13 +116,13 @@ void ContactBatches::colourBetween() {
 void ContactBatches::placeTile(std::uint32_t tile) {
   const auto [begin, end] = pairsOf(tile);
   for (std::size_t n = begin; n < end; ++n)
-    if (slot_[n] < tiles_ * kColours) place(slot_[n], near_[n]);
+    if (slot_[n] < tiles_ * kColours) place(slot_[n], near_.pairs[n]);
 }
 
 void ContactBatches::placeOthers() {
-  forEachBetween([&](std::uint32_t n) { place(slot_[n], near_[n]); });
+  forEachBetween([&](std::uint32_t n) { place(slot_[n], near_.pairs[n]); });
   for (std::size_t n = 0; n < ofArena_.size(); ++n)
-    place(slot_[near_.size() + n], {ofArena_[n].a, balls_});
+    place(slot_[near_.pairs.size() + n], {ofArena_[n].a, balls_});
 }
 
 /// Makes of the list that a pair is in its number in pairs().
@@ -133,14 +133,14 @@ void ContactBatches::place(std::uint32_t& slot, const IndexPair& pair) {
 
 std::uint32_t ContactBatches::find(std::uint32_t a, std::uint32_t partner) const {
   if (isBall(partner)) {
-    for (std::uint32_t n = firstOf_[a]; n < firstOf_[a + 1]; ++n)
-      if (near_[n].b == partner) return slot_[n];
+    for (std::uint32_t n = near_.firstOf[a]; n < near_.firstOf[a + 1]; ++n)
+      if (near_.pairs[n].b == partner) return slot_[n];
     return kNoPair;
   }
   const ArenaPair pair{a, partner};
   const auto found = std::ranges::lower_bound(ofArena_, pair, isBefore);
   if (found == ofArena_.end() || isBefore(pair, *found)) return kNoPair;
-  return slot_[near_.size() + static_cast<std::size_t>(found - ofArena_.begin())];
+  return slot_[near_.pairs.size() + static_cast<std::size_t>(found - ofArena_.begin())];
 }
 
 void ContactBatches::listBatches() {

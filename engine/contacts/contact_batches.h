@@ -13,7 +13,6 @@
 
 #include "broadphase/ball_pair.h"
 #include "contacts/crowd_kernels.h"
-#include "contacts/near_pairs.h"
 #include "threads/thread_pool.h"
 
 namespace wells {
@@ -32,10 +31,10 @@ struct ContactBatch {
 
 class ContactBatches {
  public:
-  /// Splits the near pairs of a crowd, and `arena`, those of its balls with ground and wall (any
-  /// order). place[id] is the place of ball id in the crowd. Behind its pairs come `idle` numbers
-  /// that are of none.
-  void split(const NearPairs& near, std::span<const BallPair> arena,
+  /// Splits pairs of a crowd: `near` (to be kept until the next split) and `arena`, those of its
+  /// balls with ground and wall (in any order). place[id] is the place of ball id in the crowd.
+  /// Behind its pairs come `idle` numbers that are of none.
+  void split(const PairsByBall& near, std::span<const BallPair> arena,
              std::span<const std::uint32_t> place, std::size_t idle, ThreadPool& pool);
 
   /// Adds a pair that is late for the batches; it is in one only if setLate() has it.
@@ -86,9 +85,8 @@ class ContactBatches {
     std::uint64_t between = 0;
   };
   std::uint32_t balls_ = 0;
-  std::span<const IndexPair> near_;
-  std::span<const std::uint32_t> firstOf_;  // as NearPairs has it
-  std::vector<ArenaPair> ofArena_;          // by ball
+  PairsByBall near_;
+  std::vector<ArenaPair> ofArena_;  // by ball
   // By pair of near_, then by pair of ofArena_: which batch, if empty ones are counted; then the
   // number in pairs().
   std::vector<std::uint32_t> slot_;

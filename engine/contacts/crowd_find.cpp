@@ -58,15 +58,15 @@ std::size_t touching(PartnerKind partner, const CrowdRules& rules, const CrowdAr
   });
 }
 
-void near(double duration, const CrowdArrays& in, std::span<const IndexPair> pairs,
-          std::uint8_t* isNear) {
+void near(double duration, const Place* places, const Momentum* momenta,
+          std::span<const IndexPair> pairs, std::uint8_t* isNear) {
   for (std::size_t p = 0; p < pairs.size(); p += kLanes) {
     const LanesOfPairs lanes(pairs.data(), p, pairs.size());
-    const V4 placeA = loadPlaces(in.place, lanes.a);
-    const V4 placeB = loadPlaces(in.place, lanes.b);
+    const V4 placeA = loadPlaces(places, lanes.a);
+    const V4 placeB = loadPlaces(places, lanes.b);
     const V3 d = xyz(placeB) - xyz(placeA);
-    const V3 v = xyz(loadMoving<false>(in.momentum, lanes.b).v) -
-                 xyz(loadMoving<false>(in.momentum, lanes.a).v);
+    const V3 v =
+        xyz(loadMoving<false>(momenta, lanes.b).v) - xyz(loadMoving<false>(momenta, lanes.a).v);
     // Where they do not move on each other, 0 / 0 is not greater than 0 either.
     const V time = hn::Div(hn::Neg(dot(d, v)), dot(v, v));
     const V closest = hn::IfThenElseZero(hn::Gt(time, set(0)), hn::Min(time, set(duration)));
@@ -94,9 +94,9 @@ std::size_t findTouching(PartnerKind partner, const CrowdRules& rules, const Cro
   return HWY_DYNAMIC_DISPATCH(touching)(partner, rules, arrays, first, last, list);
 }
 
-void findNear(double duration, const CrowdArrays& arrays, std::span<const IndexPair> pairs,
-              std::uint8_t* isNear) {
-  HWY_DYNAMIC_DISPATCH(near)(duration, arrays, pairs, isNear);
+void findNear(double duration, const Place* places, const Momentum* momenta,
+              std::span<const IndexPair> pairs, std::uint8_t* isNear) {
+  HWY_DYNAMIC_DISPATCH(near)(duration, places, momenta, pairs, isNear);
 }
 
 }  // namespace wells

@@ -48,9 +48,9 @@ struct CrowdSubstep {
 };
 
 /// Tells by pair, 1 or 0, whether two balls come near each other within `duration` s if nothing
-/// deflects them: closer than kFarGap. Pairs are of balls, and need not be those of the arrays.
-void findNear(double duration, const CrowdArrays& arrays, std::span<const IndexPair> pairs,
-              std::uint8_t* isNear);
+/// deflects them: closer than kFarGap.
+void findNear(double duration, const Place* places, const Momentum* momenta,
+              std::span<const IndexPair> pairs, std::uint8_t* isNear);
 
 /// Lists those of the pairs first .. last - 1 that touch; returns how many.
 std::size_t findTouching(PartnerKind partner, const CrowdRules& rules, const CrowdArrays& arrays,

@@ -12,8 +12,8 @@ constexpr std::size_t kBlock = 1024;       // pairs, about, that are looked at w
 }  // namespace
 
 void NearPairs::find(std::span<const BallPair> pairs, std::span<const std::uint32_t> balls,
-                     std::span<const std::uint32_t> place, double duration,
-                     const CrowdArrays& arrays, ThreadPool& pool) {
+                     std::span<const std::uint32_t> place, double duration, const Place* places,
+                     const Momentum* momenta, ThreadPool& pool) {
   // Pairs of one ball a follow each other in both orders.
   runOf_.assign(balls.size(), {});
   pool.forRanges(pairs.size(), kLeastPairs, [&](std::size_t begin, std::size_t end, std::size_t) {
@@ -32,7 +32,7 @@ void NearPairs::find(std::span<const BallPair> pairs, std::span<const std::uint3
   for (Part& part : std::span(parts_).subspan(parts)) part.far.clear();
   pool.forRanges(balls.size(), kLeastBalls,
                  [&](std::size_t begin, std::size_t end, std::size_t range) {
-                   divide(pairs, place, duration, arrays, {begin, end}, parts_[range]);
+                   divide(pairs, place, duration, places, momenta, {begin, end}, parts_[range]);
                  });
 
   // What the threads found, one after the other.
@@ -50,7 +50,8 @@ void NearPairs::find(std::span<const BallPair> pairs, std::span<const std::uint3
 }
 
 void NearPairs::divide(std::span<const BallPair> pairs, std::span<const std::uint32_t> place,
-                       double duration, const CrowdArrays& arrays, IndexRange balls, Part& part) {
+                       double duration, const Place* places, const Momentum* momenta,
+                       IndexRange balls, Part& part) {
   std::size_t near = 0;
   std::size_t far = 0;
   std::size_t next = balls.begin;
@@ -61,7 +62,7 @@ void NearPairs::divide(std::span<const BallPair> pairs, std::span<const std::uin
       for (const BallPair& pair : pairs.subspan(runOf_[next].first, runOf_[next].count))
         part.block.push_back({static_cast<std::uint32_t>(next), place[pair.b]});
     part.isNear.resize(part.block.size());
-    findNear(duration, arrays, part.block, part.isNear.data());
+    findNear(duration, places, momenta, part.block, part.isNear.data());
 
     // Without a branch for each: whether a pair is near cannot be foretold.
     part.near.resize(std::max(part.near.size(), near + part.block.size()));

@@ -16,15 +16,12 @@ namespace wells {
 class NearPairs {
  public:
   /// Divides `pairs`, all between balls of `balls` and by (a, b). place[id] is the place of ball id
-  /// in `balls`, of whose places and momenta `arrays` has the records. Duration of the step in s.
+  /// in `balls`, places[k] and momenta[k] what is there. Duration of the step in s.
   void find(std::span<const BallPair> pairs, std::span<const std::uint32_t> balls,
-            std::span<const std::uint32_t> place, double duration, const CrowdArrays& arrays,
-            ThreadPool& pool);
+            std::span<const std::uint32_t> place, double duration, const Place* places,
+            const Momentum* momenta, ThreadPool& pool);
 
-  /// Near ones, in the order of `balls`; indices of balls.
-  std::span<const IndexPair> pairs() const { return near_; }
-  /// By ball, the first of pairs() that it has as a; one more behind the last ball.
-  std::span<const std::uint32_t> firstOf() const { return firstOf_; }
+  PairsByBall near() const { return {near_, firstOf_}; }
 
   /// Far ones, in the order of `balls` if taken part by part; each thread of the pool has one.
   std::span<IndexPair> far(std::size_t thread) { return parts_[thread].far; }
@@ -43,7 +40,8 @@ class NearPairs {
   };
 
   void divide(std::span<const BallPair> pairs, std::span<const std::uint32_t> place,
-              double duration, const CrowdArrays& arrays, IndexRange balls, Part& part);
+              double duration, const Place* places, const Momentum* momenta, IndexRange balls,
+              Part& part);
 
   std::vector<IndexPair> near_;
   std::vector<std::uint32_t> firstOf_;

@@ -112,8 +112,9 @@ void Crowd::gather(std::span<const std::uint32_t> ids, const Balls& balls, Threa
 void Crowd::findContacts(const CrowdInput& in, ThreadPool& pool) {
   const auto arena =
       std::ranges::partition_point(in.pairs, isBall, [](const BallPair& p) { return p.b; });
-  near_.find({in.pairs.begin(), arena}, island_, placeOf_, in.settings.dt, arraysOf(0), pool);
-  batches_.split(near_, {arena, in.pairs.end()}, placeOf_, threads_, pool);
+  pairs_.find({in.pairs.begin(), arena}, island_, placeOf_, in.settings.dt, place_.data(),
+              momentum_.data(), pool);
+  batches_.split(pairs_.near(), {arena, in.pairs.end()}, placeOf_, threads_, pool);
   lasting_.clear();
   touchedIn_.clear();
   makeRoomForLasting();
@@ -253,7 +254,7 @@ std::span<const std::uint32_t> Crowd::touching(std::size_t thread, PartnerKind p
 
 // Where something has been deflected, far pairs touch, which were not kept ready.
 void Crowd::findLate(std::size_t thread, Barrier& barrier) {
-  const auto far = near_.far(thread);
+  const auto far = pairs_.far(thread);
   workers_[thread].late = touching(thread, PartnerKind::Ball, far.data(), 0, far.size());
   barrier.wait();
   if (thread == 0) addLate();
@@ -263,7 +264,7 @@ void Crowd::findLate(std::size_t thread, Barrier& barrier) {
 void Crowd::addLate() {
   const std::uint32_t idle = arraysOf(0).idleBall;
   for (std::size_t thread = 0; thread < threads_; ++thread) {
-    const auto far = near_.far(thread);
+    const auto far = pairs_.far(thread);
     for (const std::uint32_t n : workers_[thread].late) {
       batches_.add(far[n]);
       far[n] = {idle, idle + 1};  // which never touch

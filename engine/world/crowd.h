@@ -133,7 +133,7 @@ class Crowd {
   std::vector<Place> place_;
   std::vector<Momentum> momentum_;
   std::vector<Gained> gained_;
-  NearPairs near_;
+  NearPairs pairs_;
   // By pair in the order of the batches; idle ones; late ones.
   ContactBatches batches_;
   std::vector<LastingImpulse> lasting_;
