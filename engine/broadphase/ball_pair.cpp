@@ -16,16 +16,24 @@ std::size_t PairSorter::startEach(std::size_t balls, std::size_t parts) {
   return sum;
 }
 
-void PairSorter::sortEach(std::size_t balls, std::size_t parts, ThreadPool& threads,
-                          std::vector<BallPair>& sorted) const {
-  // Where the last part of a ball ended, the next ball begins.
-  const std::uint32_t* const ends = next_.data() + (parts - 1) * balls;
-  threads.forRanges(balls, kLeastRange, [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t ball = begin; ball < end; ++ball) {
-      const std::uint32_t first = ball == 0 ? 0 : ends[ball - 1];
-      std::sort(sorted.begin() + first, sorted.begin() + ends[ball],
-                [](const BallPair& x, const BallPair& y) { return x.b < y.b; });
-    }
+void PairSorter::sortByLower(ThreadPool& threads, std::vector<BallPair>& sorted) {
+  const std::size_t balls = end_.size();
+  const std::size_t parts = threads.ranges(balls, kLeastRange);
+  next_.assign(parts * balls, 0);
+  const auto forEach = [&](auto visit) {
+    threads.forRanges(
+        balls, kLeastRange, [&](std::size_t begin, std::size_t end, std::size_t part) {
+          std::uint32_t* const next = next_.data() + part * balls;
+          std::uint32_t at = begin == 0 ? 0 : end_[begin - 1];
+          for (std::size_t upper = begin; upper < end; ++upper)
+            for (; at < end_[upper]; ++at)
+              visit(static_cast<std::uint32_t>(upper), lowers_[at], next[lowers_[at]]);
+        });
+  };
+  forEach([](std::uint32_t, std::uint32_t, std::uint32_t& count) { ++count; });
+  sorted.resize(startEach(balls, parts));
+  forEach([&](std::uint32_t upper, std::uint32_t lower, std::uint32_t& next) {
+    sorted[next++] = {lower, upper};
   });
 }
 

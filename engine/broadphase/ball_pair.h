@@ -18,7 +18,8 @@ struct BallPair {
   bool operator==(const BallPair&) const = default;
 };
 
-/// Sorts pairs of balls by (a, b): by a by counting, then those of each a, which are few.
+/// Sorts pairs of balls by (a, b) in O(pairs + balls): by b first, then by a, each time by
+/// counting.
 class PairSorter {
  public:
   /// Numbers of balls are below `balls`. forEachIn(range, visit) calls visit(x, y) for the pairs of
@@ -28,31 +29,31 @@ class PairSorter {
             std::vector<BallPair>& sorted) {
     const std::size_t parts = threads.ranges(ranges, 1);
     next_.assign(parts * balls, 0);
-    const auto forEachOf = [&](std::size_t begin, std::size_t end, auto visit) {
-      for (std::size_t range = begin; range < end; ++range)
-        forEachIn(range,
-                  [&](std::uint32_t x, std::uint32_t y) { visit(std::min(x, y), std::max(x, y)); });
-    };
-    threads.forRanges(ranges, 1, [&](std::size_t begin, std::size_t end, std::size_t part) {
-      std::uint32_t* const count = next_.data() + part * balls;
-      forEachOf(begin, end, [&](std::uint32_t lower, std::uint32_t) { ++count[lower]; });
-    });
-    sorted.resize(startEach(balls, parts));
-    threads.forRanges(ranges, 1, [&](std::size_t begin, std::size_t end, std::size_t part) {
-      std::uint32_t* const next = next_.data() + part * balls;
-      forEachOf(begin, end, [&](std::uint32_t lower, std::uint32_t upper) {
-        sorted[next[lower]++] = {lower, upper};
+    const auto forEach = [&](auto visit) {
+      threads.forRanges(ranges, 1, [&](std::size_t begin, std::size_t end, std::size_t part) {
+        std::uint32_t* const next = next_.data() + part * balls;
+        for (std::size_t range = begin; range < end; ++range)
+          forEachIn(range, [&](std::uint32_t x, std::uint32_t y) {
+            visit(std::min(x, y), next[std::max(x, y)]);
+          });
       });
-    });
-    sortEach(balls, parts, threads, sorted);
+    };
+    forEach([](std::uint32_t, std::uint32_t& count) { ++count; });
+    const std::size_t pairs = startEach(balls, parts);
+    if (lowers_.size() < pairs) lowers_.resize(pairs + pairs / 8);
+    forEach([&](std::uint32_t lower, std::uint32_t& next) { lowers_[next++] = lower; });
+    // Where its last part ends, those of a ball do.
+    end_.assign(next_.end() - static_cast<std::ptrdiff_t>(balls), next_.end());
+    sortByLower(threads, sorted);
   }
 
  private:
   std::size_t startEach(std::size_t balls, std::size_t parts);
-  void sortEach(std::size_t balls, std::size_t parts, ThreadPool& threads,
-                std::vector<BallPair>& sorted) const;
+  void sortByLower(ThreadPool& threads, std::vector<BallPair>& sorted);
 
-  std::vector<std::uint32_t> next_;  // by part and ball: counts, then where its next pair goes
+  std::vector<std::uint32_t> next_;    // by part and ball: counts, then where its next pair goes
+  std::vector<std::uint32_t> lowers_;  // those of each upper ball; holds more than are valid
+  std::vector<std::uint32_t> end_;     // by upper ball, of its lowers
 };
 
 }  // namespace wells

@@ -117,9 +117,18 @@ void SpherePairs::search(ThreadPool& threads) {
   found_.resize((grid_.slots() + kRange - 1) / kRange);
   threads.forRanges(found_.size(), 1, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (auto n = static_cast<std::uint32_t>(begin); n < end; ++n)
-      grid_.find({n * kRange, std::min((n + 1) * kRange, grid_.slots())}, found_[n]);
+      findBalls({n * kRange, std::min((n + 1) * kRange, grid_.slots())}, found_[n]);
   });
   searchLarge();
+}
+
+/// Balls instead of slots, who are looked at twice.
+void SpherePairs::findBalls(SlotRange range, FoundPartners& found) const {
+  grid_.find(range, found);
+  const std::uint32_t* const ball = grid_.boxOf().data();
+  if (found.ends.empty()) return;
+  for (std::uint32_t& partner : std::span(found.partners).first(found.ends.back()))
+    partner = ball[partner];
 }
 
 void SpherePairs::searchLarge() {
@@ -143,7 +152,7 @@ void SpherePairs::list(ThreadPool& threads, std::vector<BallPair>& pairs) {
     if (range == found_.size())
       for (const auto& [x, y] : largePairs_) visit(x, y);
     else
-      found_[range].forEachPair([&](std::uint32_t x, std::uint32_t y) { visit(ball[x], ball[y]); });
+      found_[range].forEachPair([&](std::uint32_t slot, std::uint32_t y) { visit(ball[slot], y); });
   };
   sorter_.sort(spheres_.size(), found_.size() + 1, threads, forEachIn, pairs);
 }

@@ -39,6 +39,7 @@ class SpherePairs {
                   std::span<const std::uint32_t> among, std::size_t pairs);
   bool nextHasSkin();
   void search(ThreadPool& threads);
+  void findBalls(SlotRange range, FoundPartners& found) const;
   void searchLarge();
   void list(ThreadPool& threads, std::vector<BallPair>& pairs);
 
