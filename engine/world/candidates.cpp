@@ -13,12 +13,32 @@ namespace {
 
 constexpr std::size_t kLeastRange = 16384;  // balls or pairs, that a thread looks at
 
-// Of Candidates::nearArena_.
-constexpr std::uint8_t kNearGround = 1;
-constexpr std::uint8_t kNearWall = 2;
+constexpr double kSurelyInside = 1 - 1e-9;  // of a distance that was rounded
 
 // Balls, all pairs of which cost less than a broadphase, unless one is asked for.
 constexpr std::size_t kFew = 48;
+
+/// Fills the list with what find(n, place) puts there, up to `most` pairs for each n < count, whose
+/// number it returns; without a branch for each, because whether a pair is near cannot be foretold.
+template <class Find>
+void collect(std::size_t count, ThreadPool& threads, std::size_t most, std::vector<BallPair>& list,
+             Find find) {
+  std::array<IndexRange, kMostThreads> found;
+  threads.forRanges(count, kLeastRange, [&](std::size_t begin, std::size_t end, std::size_t range) {
+    BallPair* const first = list.data() + most * begin;
+    BallPair* last = first;
+    for (std::size_t n = begin; n < end; ++n) last += find(n, last);
+    found[range] = {most * begin, static_cast<std::size_t>(last - list.data())};
+  });
+  // What the ranges found stands with gaps between.
+  std::size_t size = 0;
+  for (std::size_t range = 0; range < threads.ranges(count, kLeastRange); ++range) {
+    const auto [begin, end] = found[range];
+    std::copy(list.begin() + begin, list.begin() + end, list.begin() + size);
+    size += end - begin;
+  }
+  list.resize(size);
+}
 
 }  // namespace
 
@@ -43,40 +63,24 @@ void Candidates::find(const World& world, std::span<const double> reach,
     findBalls(threads);
   else
     findBallsAndLeaning(world);
-  findArena(world, reach, among);
+  findArena(world, reach, among, threads);
 }
 
 std::int64_t Candidates::pairs() const {
   if (areFew_) return static_cast<std::int64_t>(ballPairs_.size() + arenaPairs_.size());
-  return static_cast<std::int64_t>(broadphase_.ballPairs().size() +
-                                   broadphase_.nearGround().size() + broadphase_.nearWall().size());
+  return static_cast<std::int64_t>(broadphase_.ballPairs().size() + arenaPairs_.size());
 }
 
 void Candidates::findBalls(ThreadPool& threads) {
   const std::vector<BallPair>& pairs = broadphase_.ballPairs();
   ballPairs_.resize(pairs.size());
-  std::array<IndexRange, kMostThreads> found;
-  const auto collect = [&](std::size_t begin, std::size_t end, std::size_t range) {
-    std::size_t count = begin;
-    // Without a branch for each: whether a pair is near cannot be foretold.
-    for (std::size_t n = begin; n < end; ++n) {
-      const Sphere& a = spheres_[pairs[n].a];
-      const Sphere& b = spheres_[pairs[n].b];
-      const double bound = a.radius + b.radius;
-      ballPairs_[count] = pairs[n];
-      count += squaredLength(b.center - a.center) <= bound * bound ? 1 : 0;
-    }
-    found[range] = {begin, count};
-  };
-  threads.forRanges(pairs.size(), kLeastRange, collect);
-  // What the ranges found stands with gaps between.
-  std::size_t count = 0;
-  for (std::size_t range = 0; range < threads.ranges(pairs.size(), kLeastRange); ++range) {
-    const auto [begin, end] = found[range];
-    std::copy(ballPairs_.begin() + begin, ballPairs_.begin() + end, ballPairs_.begin() + count);
-    count += end - begin;
-  }
-  ballPairs_.resize(count);
+  collect(pairs.size(), threads, 1, ballPairs_, [&](std::size_t n, BallPair* found) {
+    const Sphere& a = spheres_[pairs[n].a];
+    const Sphere& b = spheres_[pairs[n].b];
+    const double bound = a.radius + b.radius;
+    *found = pairs[n];
+    return squaredLength(b.center - a.center) <= bound * bound ? std::size_t{1} : 0;
+  });
 }
 
 std::span<const std::uint32_t> Candidates::findSurprised(const World& world,
@@ -172,23 +176,27 @@ void Candidates::findBallsAndLeaning(const World& world) {
 }
 
 void Candidates::findArena(const World& world, std::span<const double> reach,
-                           std::span<const std::uint32_t> among) {
-  nearArena_.resize(world.balls.size());
-  for (const std::uint32_t i : among) nearArena_[i] = 0;
-  for (const std::uint32_t i : broadphase_.nearGround()) nearArena_[i] |= kNearGround;
-  // A ball near two pieces of the wall stands twice.
-  for (const std::uint32_t i : broadphase_.nearWall()) nearArena_[i] |= kNearWall;
-  arenaPairs_.clear();
-  const auto add = [&](std::uint32_t i, std::uint32_t partner) {
-    if (mayTouchArena(world.arena, world.balls.position[i], world.balls.radius[i], reach[i],
-                      partner))
-      arenaPairs_.push_back({i, partner});
-  };
+                           std::span<const std::uint32_t> among, ThreadPool& threads) {
   static_assert(kWall < kGround, "pairs are in order of (a, b)");
-  for (const std::uint32_t i : among) {
-    if (nearArena_[i] & kNearWall) add(i, kWall);
-    if (nearArena_[i] & kNearGround) add(i, kGround);
-  }
+  arenaPairs_.resize(2 * among.size());
+  const Arena& arena = world.arena;
+  collect(among.size(), threads, 2, arenaPairs_, [&](std::size_t n, BallPair* found) {
+    const std::uint32_t i = among[n];
+    const auto [center, within] = spheres_[i];
+    const double x = center.x() - arena.center.x();
+    const double z = center.z() - arena.center.z();
+    // Most are far from the wall, and need no root for that.
+    const double inner = kSurelyInside * (arena.radius - within);
+    const bool isFar = inner > 0 && x * x + z * z < inner * inner;
+    const auto mayTouch = [&](std::uint32_t partner) {
+      return mayTouchArena(arena, center, world.balls.radius[i], reach[i], partner);
+    };
+    const bool isIn = isFinite(center) && std::isfinite(within);
+    found[0] = {i, kWall};
+    const std::size_t walls = isIn && !isFar && mayTouch(kWall) ? 1 : 0;
+    found[walls] = {i, kGround};
+    return walls + (isIn && mayTouch(kGround) ? 1 : 0);
+  });
 }
 
 }  // namespace wells
