@@ -1,27 +1,40 @@
 #include "broadphase/ball_pair.h"
 
-#include <span>
-#include <utility>
-
 namespace wells {
+namespace {
 
-void PairSorter::finish(std::vector<BallPair>& sorted) {
-  for (auto* starts : {&lowerStart_, &upperStart_}) {
-    std::uint32_t sum = 0;
-    for (std::uint32_t& start : *starts) sum += std::exchange(start, sum);
-  }
-  if (lowers_.size() < count_) lowers_.resize(pairs_.size());
-  for (const BallPair& pair : std::span(pairs_).first(count_))
-    lowers_[upperStart_[pair.b]++] = pair.a;
-  sorted.resize(count_);
-  std::uint32_t at = 0;
-  for (std::uint32_t upper = 0; upper + 1 < upperStart_.size(); ++upper) {
-    const std::uint32_t end = upperStart_[upper];  // it has moved there from the start
-    for (; at < end; ++at) {
-      const std::uint32_t lower = lowers_[at];
-      sorted[lowerStart_[lower]++] = {lower, upper};
-    }
-  }
+constexpr std::size_t kLeastRange = 8192;  // balls, whose pairs a thread sorts
+
+}  // namespace
+
+/// Turns counts into starts; returns their sum.
+std::size_t PairSorter::startEach(std::size_t balls, std::size_t parts) {
+  std::uint32_t sum = 0;
+  for (std::size_t ball = 0; ball < balls; ++ball)
+    for (std::size_t part = 0; part < parts; ++part)
+      sum += std::exchange(next_[part * balls + ball], sum);
+  return sum;
+}
+
+void PairSorter::sortByLower(ThreadPool& threads, std::vector<BallPair>& sorted) {
+  const std::size_t balls = end_.size();
+  const std::size_t parts = threads.ranges(balls, kLeastRange);
+  next_.assign(parts * balls, 0);
+  const auto forEach = [&](auto visit) {
+    threads.forRanges(
+        balls, kLeastRange, [&](std::size_t begin, std::size_t end, std::size_t part) {
+          std::uint32_t* const next = next_.data() + part * balls;
+          std::uint32_t at = begin == 0 ? 0 : end_[begin - 1];
+          for (std::size_t upper = begin; upper < end; ++upper)
+            for (; at < end_[upper]; ++at)
+              visit(static_cast<std::uint32_t>(upper), lowers_[at], next[lowers_[at]]);
+        });
+  };
+  forEach([](std::uint32_t, std::uint32_t, std::uint32_t& count) { ++count; });
+  sorted.resize(startEach(balls, parts));
+  forEach([&](std::uint32_t upper, std::uint32_t lower, std::uint32_t& next) {
+    sorted[next++] = {lower, upper};
+  });
 }
 
 }  // namespace wells

@@ -1,9 +1,13 @@
 // Two balls, or a ball and a piece of the arena; and how lists of pairs of balls get into order.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
+
+#include "threads/thread_pool.h"
 
 namespace wells {
 
@@ -18,31 +22,38 @@ struct BallPair {
 /// counting.
 class PairSorter {
  public:
-  /// Numbers of balls are below `balls`; at most `most` pairs are added.
-  void begin(std::size_t balls, std::size_t most) {
-    count_ = 0;
-    if (pairs_.size() < most) pairs_.resize(most);
-    lowerStart_.assign(balls + 1, 0);
-    upperStart_.assign(balls + 1, 0);
+  /// Numbers of balls are below `balls`. forEachIn(range, visit) calls visit(x, y) for the pairs of
+  /// a range < `ranges`, x and y in any order; it is called twice for each.
+  template <class ForEachIn>
+  void sort(std::size_t balls, std::size_t ranges, ThreadPool& threads, ForEachIn forEachIn,
+            std::vector<BallPair>& sorted) {
+    const std::size_t parts = threads.ranges(ranges, 1);
+    next_.assign(parts * balls, 0);
+    const auto forEach = [&](auto visit) {
+      threads.forRanges(ranges, 1, [&](std::size_t begin, std::size_t end, std::size_t part) {
+        std::uint32_t* const next = next_.data() + part * balls;
+        for (std::size_t range = begin; range < end; ++range)
+          forEachIn(range, [&](std::uint32_t x, std::uint32_t y) {
+            visit(std::min(x, y), next[std::max(x, y)]);
+          });
+      });
+    };
+    forEach([](std::uint32_t, std::uint32_t& count) { ++count; });
+    const std::size_t pairs = startEach(balls, parts);
+    if (lowers_.size() < pairs) lowers_.resize(pairs + pairs / 8);
+    forEach([&](std::uint32_t lower, std::uint32_t& next) { lowers_[next++] = lower; });
+    // Where its last part ends, those of a ball do.
+    end_.assign(next_.end() - static_cast<std::ptrdiff_t>(balls), next_.end());
+    sortByLower(threads, sorted);
   }
-
-  /// Two balls, in any order.
-  void add(std::uint32_t x, std::uint32_t y) {
-    const std::uint32_t lower = x < y ? x : y;
-    const std::uint32_t upper = x < y ? y : x;
-    ++lowerStart_[lower];
-    ++upperStart_[upper];
-    pairs_[count_++] = {lower, upper};
-  }
-
-  /// All that were added.
-  void finish(std::vector<BallPair>& sorted);
 
  private:
-  std::vector<BallPair> pairs_;  // count_ of them are valid
-  std::size_t count_ = 0;
-  std::vector<std::uint32_t> lowerStart_, upperStart_;  // by ball: counts, then where its pairs go
-  std::vector<std::uint32_t> lowers_;                   // by upper ball
+  std::size_t startEach(std::size_t balls, std::size_t parts);
+  void sortByLower(ThreadPool& threads, std::vector<BallPair>& sorted);
+
+  std::vector<std::uint32_t> next_;    // by part and ball: counts, then where its next pair goes
+  std::vector<std::uint32_t> lowers_;  // those of each upper ball; holds more than are valid
+  std::vector<std::uint32_t> end_;     // by upper ball, of its lowers
 };
 
 }  // namespace wells

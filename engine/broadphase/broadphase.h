@@ -1,10 +1,9 @@
-// Candidate pairs from a broadphase of Bullet's interface: which balls may touch which balls, the
-// ground or the wall during a step.
+// Candidate pairs: which balls may touch which balls during a step, by Bullet's tree of boxes or by
+// a grid. Not the ground and the wall: their exact gaps cost less than boxes.
 //
-// Balls, ground and wall are proxies. A ball's box is made larger than the step needs and set anew
-// only when the ball leaves it, so that one list of pairs serves many steps. The wall is a ring of
-// boxes, so that only balls near it pair with it. The pairs are a superset: what is near is decided
-// by exact gaps, in contacts/.
+// What a ball is known by is made larger than the step needs and set anew only when the ball leaves
+// it, so that one list of pairs serves many steps. The pairs are a superset: what is near is
+// decided by exact gaps, in contacts/.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +12,8 @@
 #include <vector>
 
 #include "broadphase/ball_pair.h"
+#include "broadphase/sphere_pairs.h"
+#include "broadphase/tree_pairs.h"
 #include "state/world.h"
 #include "threads/thread_pool.h"
 
@@ -24,17 +25,12 @@ BroadphaseKind broadphaseFor(std::span<const double> radii);
 
 class Broadphase {
  public:
-  Broadphase();
-  ~Broadphase();
-  Broadphase(const Broadphase&) = delete;
-  Broadphase& operator=(const Broadphase&) = delete;
-
   /// Brings the boxes up to date and lists the candidate pairs. reach[i] (m, >= 0) bounds how far
   /// ball i may move in the step: every pair whose gap is at most the sum of its reaches is
-  /// listed. A change in the number of balls, in the arena or in Settings::broadphase starts
-  /// afresh. A ball whose position or reach is not finite is in no pair. `among` are the balls that
-  /// take part: all that did so in the last update and have not been removed since, and any others.
-  /// O(among), and what their pairs cost.
+  /// listed. A change in the number of balls or in Settings::broadphase starts afresh. A ball whose
+  /// position or reach is not finite is in no pair. `among` are the balls that take part: all that
+  /// did so in the last update and have not been removed since, and any others. O(among), and what
+  /// their pairs cost.
   void update(const World& world, std::span<const double> reach,
               std::span<const std::uint32_t> among, ThreadPool* threads = nullptr);
 
@@ -43,33 +39,26 @@ class Broadphase {
 
   /// Of the last update, by (a, b), each once.
   const std::vector<BallPair>& ballPairs() const { return ballPairs_; }
-  /// In no particular order.
-  const std::vector<std::uint32_t>& nearGround() const { return nearGround_; }
-  /// Likewise; a ball may stand several times, once for each piece of the ring that it is near.
-  const std::vector<std::uint32_t>& nearWall() const { return nearWall_; }
 
-  /// Proxies that the last update moved, added or removed, for benchmarks.
+  /// Appends balls of the last update, in no particular order: all that may come, within their
+  /// reaches, to a place from low to high (m), and others.
+  void findIn(const Vec3& low, const Vec3& high, std::vector<std::uint32_t>& found);
+
+  /// Boxes or spheres that the last update set or removed, for benchmarks.
   std::int64_t moved() const { return moved_; }
 
  private:
-  struct Proxies;
-  void build(const World& world);
   bool isBuiltFor(const World& world) const;
-  void removeProxy(std::uint32_t ball);
-  void updateBoxes(const World& world, std::span<const double> reach,
-                   std::span<const std::uint32_t> among);
-  void updateSpheres(const World& world, std::span<const double> reach,
-                     std::span<const std::uint32_t> among);
-  void list();
+  void build(const World& world);
 
-  std::unique_ptr<Proxies> proxies_;
-  PairSorter sorter_;
+  // One of the two, once there is one.
+  std::unique_ptr<TreePairs> tree_;
+  std::unique_ptr<SpherePairs> spheres_;
+  BroadphaseKind chosen_ = BroadphaseKind::Auto;  // in the settings
+  std::size_t balls_ = 0;
   std::vector<BallPair> ballPairs_;
-  std::vector<std::uint32_t> nearGround_;
-  std::vector<std::uint32_t> nearWall_;
   std::int64_t moved_ = 0;
-  std::size_t removed_ = 0;   // since the last update
-  bool arePairsOld_ = false;  // because of them
+  ThreadPool alone_;
 };
 
 }  // namespace wells

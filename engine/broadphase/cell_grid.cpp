@@ -31,36 +31,76 @@ constexpr double kCoordinateLoss = 1.0 / (1 << 22);
 constexpr double kSizeLoss = 1.0 / (1 << 20);
 constexpr double kFaceLoss = 1e-15;
 
+// Where more lie around a box, blocks of boxes are looked at instead.
+constexpr std::int64_t kMostCellsToLookAt = 1000;
 // Partners that are made room for at a time, in slots.
 constexpr std::size_t kMostRoom = 1 << 16;
 
-std::array<double, 3> centerOf(const btBroadphaseProxy& box) {
-  std::array<double, 3> center{};
+Vec3 centerOf(const btBroadphaseProxy& box) {
+  Vec3 center;
   for (int k = 0; k < 3; ++k) center[k] = 0.5 * (box.m_aabbMin[k] + box.m_aabbMax[k]);
   return center;
+}
+
+const Vec3& centerOf(const BoundSphere& sphere) {
+  return sphere.center;
+}
+
+/// m, along an axis.
+double halfSizeOf(const btBroadphaseProxy& box, int axis) {
+  return 0.5 * (box.m_aabbMax[axis] - box.m_aabbMin[axis]);
+}
+
+double halfSizeOf(const BoundSphere& sphere, int) {
+  return sphere.radius;
 }
 
 std::size_t strideOf(std::size_t size, std::size_t sample) {
   return std::max<std::size_t>(1, size / sample);
 }
 
-double halfSizeOf(const btBroadphaseProxy& box) {
+template <class Box>
+double greatestHalfSizeOf(const Box& box) {
   double half = 0;
-  for (int k = 0; k < 3; ++k) half = std::max(half, 0.5 * (box.m_aabbMax[k] - box.m_aabbMin[k]));
+  for (int k = 0; k < 3; ++k) half = std::max(half, halfSizeOf(box, k));
   return half;
 }
+
+struct AllBoxes {
+  std::span<btBroadphaseProxy* const> boxes;
+  std::size_t size() const { return boxes.size(); }
+  const btBroadphaseProxy& operator[](std::size_t i) const { return *boxes[i]; }
+  static std::uint32_t numberOf(std::size_t i) { return static_cast<std::uint32_t>(i); }
+};
+
+struct SomeSpheres {
+  std::span<const BoundSphere> spheres;
+  std::span<const std::uint32_t> among;
+  std::size_t size() const { return among.size(); }
+  const BoundSphere& operator[](std::size_t i) const { return spheres[among[i]]; }
+  std::uint32_t numberOf(std::size_t i) const { return among[i]; }
+};
 
 }  // namespace
 
 void CellGrid::sort(std::span<btBroadphaseProxy* const> boxes) {
+  sortAll(AllBoxes{boxes});
+}
+
+void CellGrid::sort(std::span<const BoundSphere> spheres, std::span<const std::uint32_t> among) {
+  sortAll(SomeSpheres{spheres, among});
+}
+
+template <class Boxes>
+void CellGrid::sortAll(const Boxes& boxes) {
   layOut(boxes);
   entries_.clear();
   large_.clear();
   start_.assign((std::size_t{1} << (bits_[0] + bits_[1] + bits_[2])) + 1, 0);
   Entry entry{};
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    entry.box = static_cast<std::uint32_t>(i);
-    if (!enter(*boxes[i], entry)) {
+    entry.box = boxes.numberOf(i);
+    if (!enter(boxes[i], entry)) {
       large_.push_back(entry.box);
       continue;
     }
@@ -68,14 +108,15 @@ void CellGrid::sort(std::span<btBroadphaseProxy* const> boxes) {
     entries_.push_back(entry);
   }
   fillSlots();
-  if (!large_.empty()) boundBlocks();
+  blocks_.clear();
 }
 
-void CellGrid::layOut(std::span<btBroadphaseProxy* const> boxes) {
+template <class Boxes>
+void CellGrid::layOut(const Boxes& boxes) {
   const std::size_t stride = strideOf(boxes.size(), kSizeSample);
   double half = 0;
   for (std::size_t i = 0; i < boxes.size(); i += stride)
-    if (const double size = halfSizeOf(*boxes[i]); size <= kLargestLength / 4)
+    if (const double size = greatestHalfSizeOf(boxes[i]); size <= kLargestLength / 4)
       half = std::max(half, size);
   size_ = half > 0 ? 2 * half * (stride > 1 ? kSizeMargin : 1 + 2 * kCellMargin) : 1;
   inverseSize_ = 1 / size_;
@@ -87,14 +128,15 @@ void CellGrid::layOut(std::span<btBroadphaseProxy* const> boxes) {
 }
 
 /// The grid covers most boxes once, and has about as many cells as there are boxes.
-void CellGrid::choosePlace(std::span<btBroadphaseProxy* const> boxes) {
+template <class Boxes>
+void CellGrid::choosePlace(const Boxes& boxes) {
   std::array<std::array<double, kPlaceSample>, 3> sample{};
   std::size_t size = 0;
   const std::size_t stride = strideOf(boxes.size(), kPlaceSample);
   for (std::size_t i = 0; i < boxes.size() && size < kPlaceSample; i += stride) {
-    if (!(2 * halfSizeOf(*boxes[i]) <= size_)) continue;
-    const auto center = centerOf(*boxes[i]);
-    if (!std::ranges::all_of(center, [](double x) { return std::isfinite(x); })) continue;
+    if (!(2 * greatestHalfSizeOf(boxes[i]) <= size_)) continue;
+    const Vec3 center = centerOf(boxes[i]);
+    if (!isFinite(center)) continue;
     for (int k = 0; k < 3; ++k) sample[k][size] = center[k];
     ++size;
   }
@@ -119,9 +161,15 @@ void CellGrid::choosePlace(std::span<btBroadphaseProxy* const> boxes) {
   for (; sum > most; --sum) --*std::ranges::max_element(bits_);
 }
 
+/// Along an axis, of a place so far (m) from the anchor.
+std::int64_t CellGrid::numberOfCell(double x) const {
+  return static_cast<std::int64_t>(x * inverseSize_ + kCellOffset);
+}
+
 /// False for one that is to be kept apart.
-bool CellGrid::enter(const btBroadphaseProxy& box, Entry& entry) const {
-  const auto center = centerOf(box);
+template <class Box>
+bool CellGrid::enter(const Box& box, Entry& entry) const {
+  const Vec3& center = centerOf(box);
   double away = 0;
   double fromOrigin = 0;
   std::uint32_t cell = 0;
@@ -131,14 +179,14 @@ bool CellGrid::enter(const btBroadphaseProxy& box, Entry& entry) const {
     away = std::max(away, std::abs(x));
     fromOrigin = std::max(fromOrigin, std::abs(center[k]));
     entry.center[k] = static_cast<float>(x);
-    const auto number = static_cast<std::int64_t>(x * inverseSize_ + kCellOffset);
-    cell = cell << bits_[k] | (static_cast<std::uint32_t>(number) & ((1u << bits_[k]) - 1));
+    cell =
+        cell << bits_[k] | (static_cast<std::uint32_t>(numberOfCell(x)) & ((1u << bits_[k]) - 1));
   }
   entry.cell = cell;
   const double loss = kCoordinateLoss * away + kFaceLoss * fromOrigin;
   const int sizes = content_ == BoxContent::Spheres ? 1 : 3;
   for (int k = 0; k < sizes; ++k) {
-    const double half = 0.5 * (box.m_aabbMax[k] - box.m_aabbMin[k]);
+    const double half = halfSizeOf(box, k);
     if (!(2 * half * (1 + kCellMargin) <= size_)) return false;
     entry.half[k] = static_cast<float>((half + loss) * (1 + kSizeLoss));
   }
@@ -238,7 +286,6 @@ void CellGrid::find(SlotRange range, FoundPartners& found) const {
 }
 
 void CellGrid::boundBlocks() {
-  blocks_.clear();
   const bool areSpheres = content_ == BoxContent::Spheres;
   const std::array centers{&sorted_.x, &sorted_.y, &sorted_.z};
   const std::array halves{&sorted_.halfX, areSpheres ? &sorted_.halfX : &sorted_.halfY,
@@ -262,31 +309,77 @@ void CellGrid::boundBlocks() {
   }
 }
 
-void CellGrid::findIn(const btBroadphaseProxy& box, std::vector<std::uint32_t>& found) const {
+/// The cells of all boxes that may overlap one; none if they are too many to look at each, or would
+/// go round the grid.
+std::optional<CellGrid::CellBox> CellGrid::cellsAround(const Vec3& low, const Vec3& high) const {
+  CellBox box;
+  std::int64_t count = 1;
+  for (int k = 0; k < 3; ++k) {
+    const double from = low[k] - anchor_[k] - 0.5 * size_;
+    const double to = high[k] - anchor_[k] + 0.5 * size_;
+    if (!(from >= -farthest_ && to <= farthest_)) return std::nullopt;
+    box.first[k] = numberOfCell(from);
+    box.count[k] = numberOfCell(to) - box.first[k] + 1;
+    count *= box.count[k];
+    if (box.count[k] > std::int64_t{1} << bits_[k] || count > kMostCellsToLookAt)
+      return std::nullopt;
+  }
+  return box;
+}
+
+template <class Look>
+void CellGrid::forEachRow(const CellBox& box, Look look) const {
+  const auto masked = [&](std::int64_t number, int axis) {
+    return static_cast<std::uint32_t>(number) & ((1u << bits_[axis]) - 1);
+  };
+  for (std::int64_t z = 0; z < box.count[2]; ++z)
+    for (std::int64_t y = 0; y < box.count[1]; ++y) {
+      const std::uint32_t row =
+          (masked(box.first[2] + z, 2) << bits_[1] | masked(box.first[1] + y, 1)) << bits_[0];
+      const std::uint32_t x = masked(box.first[0], 0);
+      const auto count = static_cast<std::uint32_t>(box.count[0]);
+      const std::uint32_t beforeEdge = std::min(count, (1u << bits_[0]) - x);
+      look({start_[row + x], start_[row + x + beforeEdge]});
+      if (beforeEdge < count) look({start_[row], start_[row + count - beforeEdge]});
+    }
+}
+
+template <class Look>
+void CellGrid::forEachBlock(const std::array<float, 3>& low, const std::array<float, 3>& high,
+                            Look look) {
+  if (blocks_.empty()) boundBlocks();
+  for (std::uint32_t n = 0; n < blocks_.size(); ++n) {
+    const Block& block = blocks_[n];
+    bool isNear = true;
+    for (int k = 0; k < 3; ++k) isNear &= block.low[k] <= high[k] && block.high[k] >= low[k];
+    if (isNear) look({n * kBlock, std::min((n + 1) * kBlock, slots())});
+  }
+}
+
+void CellGrid::findIn(const Vec3& lowest, const Vec3& highest, std::vector<std::uint32_t>& found) {
   // Written so that a face that is not a number is as far away as can be.
   constexpr double kMost = std::numeric_limits<float>::max();
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   std::array<float, 3> low{};
   std::array<float, 3> high{};
   for (int k = 0; k < 3; ++k) {
-    const double from = box.m_aabbMin[k] - anchor_[k];
-    const double to = box.m_aabbMax[k] - anchor_[k];
+    const double from = lowest[k] - anchor_[k];
+    const double to = highest[k] - anchor_[k];
     low[k] = from > -kMost ? std::nextafter(static_cast<float>(std::min(from, kMost)), -kInfinity)
                            : -kInfinity;
     high[k] = to < kMost ? std::nextafter(static_cast<float>(std::max(to, -kMost)), kInfinity)
                          : kInfinity;
   }
   std::size_t end = 0;
-  for (std::uint32_t n = 0; n < blocks_.size(); ++n) {
-    const Block& block = blocks_[n];
-    bool isNear = true;
-    for (int k = 0; k < 3; ++k) isNear &= block.low[k] <= high[k] && block.high[k] >= low[k];
-    if (!isNear) continue;
-    const SlotRange range{n * kBlock, std::min((n + 1) * kBlock, slots())};
-    if (found.size() < end + kBlock + SortedBoxes::kRoom)
-      found.resize(2 * (end + kBlock + SortedBoxes::kRoom));
+  const auto look = [&](SlotRange range) {
+    const std::size_t most = end + (range.end - range.begin) + SortedBoxes::kRoom;
+    if (found.size() < most) found.resize(2 * most);
     end += findWithin(sorted_, low, high, range, found.data() + end);
-  }
+  };
+  if (const auto cells = cellsAround(lowest, highest))
+    forEachRow(*cells, look);
+  else
+    forEachBlock(low, high, look);
   found.resize(end);
 }
 

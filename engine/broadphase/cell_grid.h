@@ -14,18 +14,34 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "broadphase/overlap_search.h"
+#include "math/vector.h"
 
 namespace wells {
+
+struct BoundSphere {
+  Vec3 center = Vec3::Zero();  // m
+  double radius = 0;           // m
+};
 
 /// What was found for a range of slots.
 struct FoundPartners {
   SlotRange slots{};
   std::vector<std::uint32_t> ends;      // by slot of the range: where its partners end
   std::vector<std::uint32_t> partners;  // slots; holds more than are valid
+
+  /// Calls visit(slot, partner) for each pair.
+  template <class Visit>
+  void forEachPair(Visit visit) const {
+    const std::uint32_t* at = partners.data();
+    for (std::uint32_t slot = slots.begin; slot < slots.end; ++slot)
+      for (const auto* const end = partners.data() + ends[slot - slots.begin]; at < end; ++at)
+        visit(slot, *at);
+  }
 };
 
 class CellGrid {
@@ -34,6 +50,8 @@ class CellGrid {
 
   /// Takes boxes as they are now. O(n).
   void sort(std::span<btBroadphaseProxy* const> boxes);
+  /// Likewise the spheres with these numbers, all others are not there. O(among).
+  void sort(std::span<const BoundSphere> spheres, std::span<const std::uint32_t> among);
 
   std::uint32_t slots() const { return static_cast<std::uint32_t>(boxOf_.size()); }
   /// By slot: the number of its box in the last sort().
@@ -45,8 +63,8 @@ class CellGrid {
   /// stands once. Ranges are independent of each other.
   void find(SlotRange range, FoundPartners& found) const;
 
-  /// Lists the slots that may overlap a box.
-  void findIn(const btBroadphaseProxy& box, std::vector<std::uint32_t>& found) const;
+  /// Lists the slots that may overlap the box from low to high (m), which may be NaN or infinite.
+  void findIn(const Vec3& low, const Vec3& high, std::vector<std::uint32_t>& found);
 
   std::size_t cells() const { return start_.empty() ? 0 : start_.size() - 1; }
 
@@ -59,14 +77,30 @@ class CellGrid {
     std::array<float, 3> low, high;
   };
   static constexpr std::uint32_t kBlock = 64;  // slots
+  /// Along each axis; not yet modulo the size of the grid.
+  struct CellBox {
+    std::array<std::int64_t, 3> first{}, count{};
+  };
 
-  void layOut(std::span<btBroadphaseProxy* const> boxes);
-  void choosePlace(std::span<btBroadphaseProxy* const> boxes);
-  bool enter(const btBroadphaseProxy& box, Entry& entry) const;
+  // Boxes: numbered proxies or spheres, see there.
+  template <class Boxes>
+  void sortAll(const Boxes& boxes);
+  template <class Boxes>
+  void layOut(const Boxes& boxes);
+  template <class Boxes>
+  void choosePlace(const Boxes& boxes);
+  template <class Box>
+  bool enter(const Box& box, Entry& entry) const;
   void fillSlots();
   void boundBlocks();
   void addRow(std::uint32_t x, std::uint32_t y, std::uint32_t z, CellSearch& search) const;
   CellSearch around(std::uint32_t cell) const;
+  std::int64_t numberOfCell(double x) const;
+  std::optional<CellBox> cellsAround(const Vec3& low, const Vec3& high) const;
+  template <class Look>
+  void forEachRow(const CellBox& box, Look look) const;
+  template <class Look>
+  void forEachBlock(const std::array<float, 3>& low, const std::array<float, 3>& high, Look look);
 
   BoxContent content_;
   // The layout.
@@ -83,7 +117,7 @@ class CellGrid {
   std::vector<std::uint32_t> cellOf_, boxOf_;  // by slot
   std::vector<std::uint32_t> large_;
   SortedBoxes sorted_;
-  std::vector<Block> blocks_;
+  std::vector<Block> blocks_;  // made when asked for
 };
 
 }  // namespace wells

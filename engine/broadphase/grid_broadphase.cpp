@@ -8,8 +8,9 @@
 namespace wells {
 namespace {
 
-// Slots that are searched at a time: the work of one thread.
-constexpr std::uint32_t kRange = 1024;
+Vec3 fromBullet(const btVector3& v) {
+  return {v.x(), v.y(), v.z()};
+}
 
 /// Not so where a face is not a number; Bullet's own test says that those overlap with everything.
 bool overlap(const btBroadphaseProxy& x, const btBroadphaseProxy& y) {
@@ -21,8 +22,7 @@ bool overlap(const btBroadphaseProxy& x, const btBroadphaseProxy& y) {
 
 }  // namespace
 
-GridBroadphase::GridBroadphase(btOverlappingPairCache* cache, BoxContent content)
-    : cache_(cache ? cache : &noCache_), grid_(content) {}
+GridBroadphase::GridBroadphase(btOverlappingPairCache* cache) : cache_(cache) {}
 
 btBroadphaseProxy* GridBroadphase::createProxy(const btVector3& low, const btVector3& high, int,
                                                void* client, int group, int mask, btDispatcher*) {
@@ -83,48 +83,30 @@ void GridBroadphase::rayTest(const btVector3& from, const btVector3&,
 
 void GridBroadphase::aabbTest(const btVector3& low, const btVector3& high,
                               btBroadphaseAabbCallback& callback) {
-  for (const btBroadphaseProxy* const proxy : proxies_)
+  const auto test = [&](const btBroadphaseProxy* proxy) {
     if (TestAabbAgainstAabb2(low, high, proxy->m_aabbMin, proxy->m_aabbMax))
       callback.process(proxy);
+  };
+  if (areOld_) {
+    for (const btBroadphaseProxy* const proxy : proxies_) test(proxy);
+    return;
+  }
+  grid_.findIn(fromBullet(low), fromBullet(high), near_);
+  for (const std::uint32_t slot : near_) test(proxyIn(slot));
+  for (const std::uint32_t n : grid_.large()) test(proxies_[n]);
 }
 
 void GridBroadphase::calculateOverlappingPairs(btDispatcher* dispatcher) {
   if (!areOld_) return;
   areOld_ = false;
   search();
-  if (cache_ != &noCache_) fillCache(dispatcher);
+  fillCache(dispatcher);
 }
 
 void GridBroadphase::search() {
   grid_.sort(proxies_);
-  lookAtSlots();
-  found_.resize((grid_.slots() + kRange - 1) / kRange);
-  const auto find = [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (auto n = static_cast<std::uint32_t>(begin); n < end; ++n)
-      grid_.find({n * kRange, std::min((n + 1) * kRange, grid_.slots())}, found_[n]);
-  };
-  if (threads_)
-    threads_->forRanges(found_.size(), 1, find);
-  else
-    find(0, found_.size(), 0);
+  grid_.find({0, grid_.slots()}, found_);
   searchLarge();
-}
-
-void GridBroadphase::lookAtSlots() {
-  numberIn_.resize(grid_.slots());
-  int inAll = -1;  // a group that all are in and all collide with
-  for (std::uint32_t slot = 0; slot < grid_.slots(); ++slot) {
-    const btBroadphaseProxy& proxy = *proxyIn(slot);
-    numberIn_[slot] = numberOf(proxy);
-    inAll &= proxy.m_collisionFilterGroup & proxy.m_collisionFilterMask;
-  }
-  needsFilter_ = grid_.slots() > 0 && inAll == 0;
-}
-
-std::size_t GridBroadphase::pairs() const {
-  std::size_t count = largePairs_.size();
-  for (const FoundPartners& found : found_) count += found.ends.back();
-  return count;
 }
 
 void GridBroadphase::searchLarge() {
@@ -138,7 +120,7 @@ void GridBroadphase::searchLarge() {
   const auto larges = grid_.large();
   for (std::size_t n = 0; n < larges.size(); ++n) {
     btBroadphaseProxy* const large = proxies_[larges[n]];
-    grid_.findIn(*large, near_);
+    grid_.findIn(fromBullet(large->m_aabbMin), fromBullet(large->m_aabbMax), near_);
     for (const std::uint32_t slot : near_)
       if (btBroadphaseProxy* const other = proxyIn(slot); mayCollide(*large, *other))
         largePairs_.emplace_back(large, other);
@@ -157,7 +139,7 @@ void GridBroadphase::fillCache(btDispatcher* dispatcher) {
   const auto add = [&](btBroadphaseProxy* x, btBroadphaseProxy* y) {
     if (overlap(*x, *y)) cache_->addOverlappingPair(x, y);
   };
-  forEachPairOfSlots([&](std::uint32_t x, std::uint32_t y) { add(proxyIn(x), proxyIn(y)); });
+  found_.forEachPair([&](std::uint32_t x, std::uint32_t y) { add(proxyIn(x), proxyIn(y)); });
   for (const auto& [x, y] : largePairs_) add(x, y);
   // From the end: the cache fills the place of a pair that goes with the last.
   const btBroadphasePair* const pairs = cache_->getOverlappingPairArrayPtr();

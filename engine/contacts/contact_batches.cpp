@@ -1,102 +1,190 @@
 #include "contacts/contact_batches.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <utility>
 
 namespace wells {
 namespace {
 
 constexpr std::uint32_t kColours = 64;
+constexpr std::size_t kLeastTiles = 4;  // that a thread colours
 
-// After the colours within tiles and those between them: contacts for which no colour was left (of
+// Behind the colours within tiles and those between them: contacts for which no colour was left (of
 // a ball with so many neighbours), one by one; ground; wall.
 enum Last : std::uint32_t { kUncoloured = kColours, kOfGround, kOfWall, kLasts };
 
-std::uint32_t lastOf(std::uint32_t partner) {
-  return partner == kGround ? kOfGround : kOfWall;
+/// The first colour that neither has, marked as used by both; kColours: none was left.
+std::uint32_t takeColour(std::uint64_t& usedA, std::uint64_t& usedB) {
+  const auto free = static_cast<std::uint32_t>(std::countr_one(usedA | usedB));
+  if (free >= kColours) return kColours;
+  usedA |= std::uint64_t{1} << free;
+  usedB |= std::uint64_t{1} << free;
+  return free;
 }
+
+constexpr auto isBefore = [](const auto& x, const auto& y) {
+  return x.a != y.a ? x.a < y.a : x.partner < y.partner;
+};
 
 }  // namespace
 
-void ContactBatches::split(std::span<const BallPair> pairs, std::span<const std::uint32_t> balls,
-                           std::span<const std::uint32_t> place) {
-  tiles_ = (static_cast<std::uint32_t>(balls.size()) + kTileBalls - 1) / kTileBalls;
-  orderPairs(pairs, balls, place);
-  colour();
-  listBatches();
-  pairs_.resize(pairs.size());
-  slots_.resize(pairs.size());
-  for (const Ordered& pair : ordered_) {
-    const std::uint32_t to = next_[pair.list]++;
-    pairs_[to] = pair.balls;
-    slots_[pair.given] = to;
+template <class Action>
+void ContactBatches::forEachBetween(Action action) const {
+  for (std::uint32_t tile = 0; tile < tiles_; ++tile) {
+    const auto first = between_.begin() + static_cast<std::ptrdiff_t>(pairsOf(tile).begin);
+    std::for_each(first, first + betweenOf_[tile], action);
   }
 }
 
-/// Those of one ball a follow each other in both orders.
-void ContactBatches::orderPairs(std::span<const BallPair> pairs,
-                                std::span<const std::uint32_t> balls,
-                                std::span<const std::uint32_t> place) {
-  const auto ballCount = static_cast<std::uint32_t>(balls.size());
-  const auto count = static_cast<std::uint32_t>(pairs.size());
-  const std::uint32_t between = tiles_ * kColours;
-  firstOf_.assign(ballCount, {count, count});
-  for (std::uint32_t n = 0; n < count; ++n) {
-    const auto [a, b] = pairs[n];
-    if (n > 0 && pairs[n - 1].a == a && isBall(pairs[n - 1].b) == isBall(b)) continue;
-    (isBall(b) ? firstOf_[place[a]].ball : firstOf_[place[a]].arena) = n;
-  }
-  ordered_.clear();
-  for (std::uint32_t k = 0; k < ballCount; ++k) {
-    const auto isMine = [&](std::uint32_t n) { return n < count && pairs[n].a == balls[k]; };
-    for (std::uint32_t n = firstOf_[k].ball; isMine(n) && isBall(pairs[n].b); ++n)
-      ordered_.push_back({{k, place[pairs[n].b]}, n, 0});
-    for (std::uint32_t n = firstOf_[k].arena; isMine(n); ++n)
-      ordered_.push_back({{k, ballCount}, n, between + lastOf(pairs[n].b)});
-  }
-}
+void ContactBatches::split(const PairsByBall& near, std::span<const BallPair> arena,
+                           std::span<const std::uint32_t> place, std::size_t idle,
+                           ThreadPool& pool) {
+  const auto forTiles = [&](auto action) {
+    pool.forRanges(tiles_, kLeastTiles, [&](std::size_t begin, std::size_t end, std::size_t) {
+      for (std::size_t tile = begin; tile < end; ++tile) action(static_cast<std::uint32_t>(tile));
+    });
+  };
+  near_ = near;
+  balls_ = static_cast<std::uint32_t>(near_.firstOf.size() - 1);
+  tiles_ = (balls_ + kTileBalls - 1) / kTileBalls;
+  ofArena_.resize(arena.size());
+  std::ranges::transform(arena, ofArena_.begin(), [&](const BallPair& pair) {
+    return ArenaPair{place[pair.a], pair.b};
+  });
+  std::ranges::sort(ofArena_, isBefore);
 
-void ContactBatches::colour() {
-  const std::uint32_t between = tiles_ * kColours;
-  used_.assign(firstOf_.size(), {});
-  next_.assign(between + kLasts + 1, 0);
-  for (Ordered& pair : ordered_) {
-    if (pair.balls.b < used_.size()) {
-      const std::uint32_t tile = pair.balls.a / kTileBalls;
-      const bool isWithin = tile == pair.balls.b / kTileBalls;
-      std::uint64_t Used::*const kind = isWithin ? &Used::within : &Used::between;
-      std::uint64_t& usedA = used_[pair.balls.a].*kind;
-      std::uint64_t& usedB = used_[pair.balls.b].*kind;
-      const auto free = static_cast<std::uint32_t>(std::countr_one(usedA | usedB));
-      pair.list = between + kUncoloured;
-      if (free < kColours) {
-        usedA |= std::uint64_t{1} << free;
-        usedB |= std::uint64_t{1} << free;
-        pair.list = (isWithin ? tile * kColours : between) + free;
-      }
-    }
-    ++next_[pair.list + 1];
-  }
+  slot_.resize(near_.pairs.size() + ofArena_.size());
+  between_.resize(near_.pairs.size());
+  betweenOf_.resize(tiles_);
+  used_.resize(balls_);
+  next_.assign(tiles_ * kColours + kLasts + 1, 0);
+  forTiles([&](std::uint32_t tile) { colourTile(tile); });
+  colourBetween();
   for (std::size_t list = 1; list < next_.size(); ++list) next_[list] += next_[list - 1];
+  listBatches();
+  firstIdle_ = static_cast<std::uint32_t>(slot_.size());
+  firstLate_ = static_cast<std::uint32_t>(slot_.size() + idle);
+  pairs_.resize(firstLate_);
+  forTiles([&](std::uint32_t tile) { placeTile(tile); });
+  placeOthers();
+  setLate({});
+}
+
+IndexRange ContactBatches::pairsOf(std::uint32_t tile) const {
+  return {near_.firstOf[tile * kTileBalls],
+          near_.firstOf[std::min(balls_, (tile + 1) * kTileBalls)]};
+}
+
+// All that the balls of a tile have as the first of two.
+void ContactBatches::colourTile(std::uint32_t tile) {
+  const std::uint32_t firstBall = tile * kTileBalls;
+  const std::uint32_t lastBall = std::min(balls_, firstBall + kTileBalls);
+  std::fill(used_.begin() + firstBall, used_.begin() + lastBall, Used{});
+  const auto [begin, end] = pairsOf(tile);
+  std::uint32_t* between = between_.data() + begin;
+  for (std::size_t n = begin; n < end; ++n) {
+    const auto [a, b] = near_.pairs[n];
+    const bool isWithin = firstBall <= b && b < lastBall;
+    const std::uint32_t colour = isWithin ? takeColour(used_[a].within, used_[b].within) : kColours;
+    if (colour < kColours) {
+      slot_[n] = tile * kColours + colour;
+      ++next_[slot_[n] + 1];
+    } else {
+      slot_[n] = tiles_ * kColours;
+      *between++ = static_cast<std::uint32_t>(n);
+    }
+  }
+  betweenOf_[tile] = static_cast<std::uint32_t>(between - between_.data() - begin);
+}
+
+void ContactBatches::colourBetween() {
+  const std::uint32_t between = tiles_ * kColours;
+  forEachBetween([&](std::uint32_t n) {
+    const auto [a, b] = near_.pairs[n];
+    slot_[n] = between + takeColour(used_[a].between, used_[b].between);
+    ++next_[slot_[n] + 1];
+  });
+  for (std::size_t n = 0; n < ofArena_.size(); ++n) {
+    std::uint32_t& list = slot_[near_.pairs.size() + n];
+    list = between + (ofArena_[n].partner == kGround ? kOfGround : kOfWall);
+    ++next_[list + 1];
+  }
+}
+
+void ContactBatches::placeTile(std::uint32_t tile) {
+  const auto [begin, end] = pairsOf(tile);
+  for (std::size_t n = begin; n < end; ++n)
+    if (slot_[n] < tiles_ * kColours) place(slot_[n], near_.pairs[n]);
+}
+
+void ContactBatches::placeOthers() {
+  forEachBetween([&](std::uint32_t n) { place(slot_[n], near_.pairs[n]); });
+  for (std::size_t n = 0; n < ofArena_.size(); ++n)
+    place(slot_[near_.pairs.size() + n], {ofArena_[n].a, balls_});
+}
+
+/// Makes of the list that a pair is in its number in pairs().
+void ContactBatches::place(std::uint32_t& slot, const IndexPair& pair) {
+  slot = next_[slot]++;
+  pairs_[slot] = pair;
+}
+
+std::uint32_t ContactBatches::find(std::uint32_t a, std::uint32_t partner) const {
+  if (isBall(partner)) {
+    for (std::uint32_t n = near_.firstOf[a]; n < near_.firstOf[a + 1]; ++n)
+      if (near_.pairs[n].b == partner) return slot_[n];
+    return kNoPair;
+  }
+  const ArenaPair pair{a, partner};
+  const auto found = std::ranges::lower_bound(ofArena_, pair, isBefore);
+  if (found == ofArena_.end() || isBefore(pair, *found)) return kNoPair;
+  return slot_[near_.pairs.size() + static_cast<std::size_t>(found - ofArena_.begin())];
 }
 
 void ContactBatches::listBatches() {
   batches_.clear();
+  arenaBatches_.clear();
   const std::uint32_t between = tiles_ * kColours;
   for (std::uint32_t list = 0; list < between + kLasts; ++list) {
     const std::uint32_t first = next_[list];
     const std::uint32_t last = next_[list + 1];
-    if (list == between + kUncoloured) {
-      for (std::uint32_t n = first; n < last; ++n)
-        batches_.push_back({PartnerKind::Ball, kNoTile, n, n + 1});
-      continue;
-    }
     if (first == last) continue;
-    const PartnerKind partner = list == between + kOfGround ? PartnerKind::Ground
-                                : list == between + kOfWall ? PartnerKind::Wall
-                                                            : PartnerKind::Ball;
-    batches_.push_back({partner, list < between ? list / kColours : kNoTile, first, last});
+    const std::uint32_t tile = list < between ? list / kColours : kNoTile;
+    constexpr auto kOf = ContactBatch::Of::Pairs;
+    if (list == between + kOfGround)
+      arenaBatches_.push_back({PartnerKind::Ground, kOf, tile, first, last});
+    else if (list == between + kOfWall)
+      arenaBatches_.push_back({PartnerKind::Wall, kOf, tile, first, last});
+    else if (list == between + kUncoloured)
+      for (std::uint32_t n = first; n < last; ++n)
+        batches_.push_back({PartnerKind::Ball, kOf, tile, n, n + 1});
+    else
+      batches_.push_back({PartnerKind::Ball, kOf, tile, first, last});
   }
+  ballBatches_ = batches_.size();
+}
+
+void ContactBatches::setLate(std::span<const std::uint32_t> touching) {
+  std::array<std::uint32_t, kColours + 2> next = {};
+  lateColour_.resize(touching.size());
+  for (const std::uint32_t slot : touching) used_[pairs_[slot].a] = used_[pairs_[slot].b] = {};
+  for (std::size_t n = 0; n < touching.size(); ++n) {
+    const auto [a, b] = pairs_[touching[n]];
+    lateColour_[n] = takeColour(used_[a].between, used_[b].between);
+    ++next[lateColour_[n] + 1];
+  }
+  for (std::size_t list = 1; list < next.size(); ++list) next[list] += next[list - 1];
+  batches_.resize(ballBatches_);
+  for (std::uint32_t list = 0; list <= kColours; ++list) {
+    const std::uint32_t size = list < kColours ? next[list + 1] - next[list] : 1;
+    for (std::uint32_t n = next[list]; n < next[list + 1]; n += size)
+      batches_.push_back({PartnerKind::Ball, ContactBatch::Of::Late, kNoTile, n, n + size});
+  }
+  batches_.insert(batches_.end(), arenaBatches_.begin(), arenaBatches_.end());
+  late_.resize(touching.size());
+  for (std::size_t n = 0; n < touching.size(); ++n) late_[next[lateColour_[n]]++] = touching[n];
 }
 
 }  // namespace wells

@@ -7,7 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <span>
 
 namespace wells {
 
@@ -42,6 +42,12 @@ struct alignas(32) LastingImpulse {
 struct IndexPair {
   std::uint32_t a = 0;
   std::uint32_t b = 0;
+};
+
+/// Pairs between the balls of a crowd, those of a ball as a together, in the order of the balls.
+struct PairsByBall {
+  std::span<const IndexPair> pairs;
+  std::span<const std::uint32_t> firstOf;  // by ball, in pairs; one more behind the last ball
 };
 
 /// Contacts that share no ball, while they are solved.

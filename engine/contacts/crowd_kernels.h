@@ -6,6 +6,7 @@
 
 #include <span>
 
+#include "broadphase/ball_pair.h"
 #include "contacts/crowd_arrays.h"
 #include "state/arena.h"
 
@@ -13,6 +14,11 @@ namespace wells {
 
 /// What the contacts of a kernel's call are with.
 enum class PartnerKind : std::uint8_t { Ball, Ground, Wall };
+
+/// The partner of a contact with the arena, as pairs have it.
+constexpr std::uint32_t partnerOf(PartnerKind kind) {
+  return kind == PartnerKind::Ground ? kGround : kWall;
+}
 
 /// The arrays of a crowd. Lanes of a block that are not in use have two idle balls, out of reach of
 /// each other, and an idle pair; each thread its own, behind those of the crowd.
@@ -40,6 +46,11 @@ struct CrowdSubstep {
   bool anyImpact = false;
   double closing = 0;  // m/s, the most that forces built up, or an impact closes with
 };
+
+/// Tells by pair, 1 or 0, whether two balls come near each other within `duration` s if nothing
+/// deflects them: closer than kFarGap.
+void findNear(double duration, const Place* places, const Momentum* momenta,
+              std::span<const IndexPair> pairs, std::uint8_t* isNear);
 
 /// Lists those of the pairs first .. last - 1 that touch; returns how many.
 std::size_t findTouching(PartnerKind partner, const CrowdRules& rules, const CrowdArrays& arrays,

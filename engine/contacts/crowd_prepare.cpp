@@ -11,38 +11,6 @@ HWY_BEFORE_NAMESPACE();
 namespace wells::HWY_NAMESPACE {
 namespace {
 
-template <PartnerKind kPartner>
-std::size_t touchingOf(const CrowdRules& rules, const CrowdArrays& in, std::uint32_t first,
-                       std::uint32_t last, std::uint32_t* touching) {
-  std::size_t count = 0;
-  for (std::uint32_t p = first; p < last; p += kLanes) {
-    std::uint32_t a[kLanes], b[kLanes];
-    for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
-      const IndexPair& pair = in.pairs[std::min(p + lane, last - 1)];
-      a[lane] = pair.a;
-      b[lane] = pair.b;
-    }
-    const V4 placeA = loadPlaces(in.place, a);
-    HWY_ALIGN double gap[kLanes];
-    if constexpr (kPartner == PartnerKind::Ball) {
-      // Squares will do.
-      const V4 placeB = loadPlaces(in.place, b);
-      const V3 d = xyz(placeB) - xyz(placeA);
-      const V reach = hn::Add(placeA.w, placeB.w);
-      hn::Store(hn::Sub(dot(d, d), hn::Mul(reach, reach)), kTag, gap);
-    } else {
-      hn::Store(geometryOf<kPartner>(rules.arena, placeA, placeA).gap, kTag, gap);
-    }
-    // Without a branch for each: whether a pair touches cannot be foretold.
-    const auto lanes = std::min<std::uint32_t>(kLanes, last - p);
-    for (std::uint32_t lane = 0; lane < lanes; ++lane) {
-      touching[count] = p + lane;
-      count += gap[lane] <= 0 ? 1 : 0;
-    }
-  }
-  return count;
-}
-
 /// Speed along the normal, either way.
 HWY_INLINE V speedAlong(const V3& velocity, const V3& normal) {
   return hn::Abs(dot(velocity, normal));
@@ -165,13 +133,6 @@ void prepareAll(const CrowdRules& rules, const CrowdArrays& in,
   substep.closing = std::max(substep.closing, hn::GetLane(hn::MaxOfLanes(kTag, most.closing)));
 }
 
-std::size_t touching(PartnerKind partner, const CrowdRules& rules, const CrowdArrays& in,
-                     std::uint32_t first, std::uint32_t last, std::uint32_t* list) {
-  return withKind(partner, [&]<PartnerKind kPartner>() {
-    return touchingOf<kPartner>(rules, in, first, last, list);
-  });
-}
-
 void prepare(PartnerKind partner, const CrowdRules& rules, const CrowdArrays& in,
              std::span<const std::uint32_t> list, ContactBlock* blocks, ContactFlight* flights,
              CrowdSubstep& substep) {
@@ -190,13 +151,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace wells {
 
-HWY_EXPORT(touching);
 HWY_EXPORT(prepare);
-
-std::size_t findTouching(PartnerKind partner, const CrowdRules& rules, const CrowdArrays& arrays,
-                         std::uint32_t first, std::uint32_t last, std::uint32_t* list) {
-  return HWY_DYNAMIC_DISPATCH(touching)(partner, rules, arrays, first, last, list);
-}
 
 void prepareContacts(PartnerKind partner, const CrowdRules& rules, const CrowdArrays& arrays,
                      std::span<const std::uint32_t> list, ContactBlock* blocks,

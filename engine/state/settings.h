@@ -39,7 +39,7 @@ constexpr std::optional<ContactMethod> contactMethod(std::string_view name) {
 enum class BroadphaseKind {
   Auto,  // a grid where the radii are about the same, else a tree
   Tree,  // Bullet's btDbvtBroadphase
-  Grid   // GridBroadphase, behind the same interface
+  Grid   // cells as large as a ball and its way, by SpherePairs
 };
 
 inline constexpr std::array<std::string_view, 3> kBroadphaseNames = {"auto", "tree", "grid"};

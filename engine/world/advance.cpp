@@ -17,11 +17,8 @@ double reachOf(const Field& field, const BallState& ball, double radius, double 
   return (speed + pullOf(field, ball.position, dt)) * dt + kReachMargin * radius;
 }
 
-bool isBeyondReach(const Vec3& start, const BallState& now, double dt, double& reach) {
-  const double moved = length(now.position - start);
-  if (!(moved > reach)) return false;  // what is not finite has no reach
-  reach = 2 * (moved + length(now.velocity) * dt);
-  return true;
+void enlargeReach(const Vec3& start, const BallState& now, double dt, double& reach) {
+  reach = 2 * (length(now.position - start) + length(now.velocity) * dt);
 }
 
 bool mayTouchArena(const Arena& arena, const Vec3& position, double radius, double reach,
@@ -29,6 +26,15 @@ bool mayTouchArena(const Arena& arena, const Vec3& position, double radius, doub
   const double gap =
       partner == kGround ? groundGap(arena, position, radius) : wallGap(arena, position, radius);
   return gap <= reach;
+}
+
+bool hasMissedArena(const Arena& arena, const Vec3& start, const Vec3& now, double radius,
+                    double reach) {
+  const auto hasMissed = [&](std::uint32_t partner) {
+    return !mayTouchArena(arena, start, radius, reach, partner) &&
+           mayTouchArena(arena, now, radius, 0, partner);
+  };
+  return hasMissed(kGround) || hasMissed(kWall);
 }
 
 ResolvedCounts advance(const Settings& settings, const PathModel& model, StepPlan& plan,

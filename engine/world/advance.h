@@ -37,13 +37,18 @@ double pullOf(const Field& field, const Vec3& position, double dt);
 /// may touch when their gap is at most the sum of their reaches.
 double reachOf(const Field& field, const BallState& ball, double radius, double dt);
 
-/// True when a ball that stood at `start` (m) and now has `now` went further than `reach`, which is
-/// then enlarged to at least twice its size.
-bool isBeyondReach(const Vec3& start, const BallState& now, double dt, double& reach);
+/// For a ball that stood at `start` (m), has `now`, and went further than `reach`: enlarges that
+/// (m) to at least twice its size.
+void enlargeReach(const Vec3& start, const BallState& now, double dt, double& reach);
 
 /// True when a ball may touch the partner (kGround or kWall) of the arena in this step.
 bool mayTouchArena(const Arena& arena, const Vec3& position, double radius, double reach,
                    std::uint32_t partner);
+
+/// True when a ball that stood at `start` (m) and now is at `now` met a part of the arena that it
+/// could not touch by its reach: straight ways are nowhere nearer to one than at their ends.
+bool hasMissedArena(const Arena& arena, const Vec3& start, const Vec3& now, double radius,
+                    double reach);
 
 /// Advances all balls of the plan by settings.dt: the free ones in one flight, the others in
 /// substeps. Books it unless `books` is null. Returns the sums over the substeps.

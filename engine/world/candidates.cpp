@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contacts/contact.h"
+#include "math/straight_path.h"
 #include "world/advance.h"
 #include "world/pairs_of_few.h"
 
@@ -13,9 +14,30 @@ namespace {
 
 constexpr std::size_t kLeastRange = 16384;  // balls or pairs, that a thread looks at
 
-// Of Candidates::nearArena_.
-constexpr std::uint8_t kNearGround = 1;
-constexpr std::uint8_t kNearWall = 2;
+constexpr double kSurelyInside = 1 - 1e-9;  // of a distance that was rounded
+
+/// Fills the list with what find(n, place) puts there, up to `most` pairs for each n < count, whose
+/// number it returns; without a branch for each, because whether a pair is near cannot be foretold.
+template <class Find>
+void collect(std::size_t count, ThreadPool& threads, std::size_t most, std::vector<BallPair>& list,
+             Find find) {
+  std::array<IndexRange, kMostThreads> found;
+  threads.forRanges(count, kLeastRange, [&](std::size_t begin, std::size_t end, std::size_t range) {
+    BallPair* const first = list.data() + most * begin;
+    BallPair* last = first;
+    for (std::size_t n = begin; n < end; ++n) last += find(n, last);
+    found[range] = {most * begin, static_cast<std::size_t>(last - list.data())};
+  });
+  // What the ranges found stands with gaps between.
+  std::size_t size = 0;
+  for (std::size_t range = 0; range < threads.ranges(count, kLeastRange); ++range) {
+    const auto [begin, end] = found[range];
+    std::copy(list.begin() + begin, list.begin() + end, list.begin() + size);
+    size += end - begin;
+  }
+  list.resize(size);
+}
+
 }  // namespace
 
 void Candidates::find(const World& world, std::span<const double> reach,
@@ -39,40 +61,76 @@ void Candidates::find(const World& world, std::span<const double> reach,
     findBalls(threads);
   else
     findBallsAndLeaning(world);
-  findArena(world, reach, among);
+  findArena(world, reach, among, threads);
 }
 
 std::int64_t Candidates::pairs() const {
   if (areFew_) return static_cast<std::int64_t>(ballPairs_.size() + arenaPairs_.size());
-  return static_cast<std::int64_t>(broadphase_.ballPairs().size() +
-                                   broadphase_.nearGround().size() + broadphase_.nearWall().size());
+  return static_cast<std::int64_t>(broadphase_.ballPairs().size() + arenaPairs_.size());
 }
 
 void Candidates::findBalls(ThreadPool& threads) {
   const std::vector<BallPair>& pairs = broadphase_.ballPairs();
   ballPairs_.resize(pairs.size());
-  std::array<IndexRange, kMostThreads> found;
-  const auto collect = [&](std::size_t begin, std::size_t end, std::size_t range) {
-    std::size_t count = begin;
-    // Without a branch for each: whether a pair is near cannot be foretold.
-    for (std::size_t n = begin; n < end; ++n) {
-      const Sphere& a = spheres_[pairs[n].a];
-      const Sphere& b = spheres_[pairs[n].b];
-      const double bound = a.radius + b.radius;
-      ballPairs_[count] = pairs[n];
-      count += squaredLength(b.center - a.center) <= bound * bound ? 1 : 0;
-    }
-    found[range] = {begin, count};
-  };
-  threads.forRanges(pairs.size(), kLeastRange, collect);
-  // What the ranges found stands with gaps between.
-  std::size_t count = 0;
-  for (std::size_t range = 0; range < threads.ranges(pairs.size(), kLeastRange); ++range) {
-    const auto [begin, end] = found[range];
-    std::copy(ballPairs_.begin() + begin, ballPairs_.begin() + end, ballPairs_.begin() + count);
-    count += end - begin;
+  collect(pairs.size(), threads, 1, ballPairs_, [&](std::size_t n, BallPair* found) {
+    const Sphere& a = spheres_[pairs[n].a];
+    const Sphere& b = spheres_[pairs[n].b];
+    const double bound = a.radius + b.radius;
+    *found = pairs[n];
+    return squaredLength(b.center - a.center) <= bound * bound ? std::size_t{1} : 0;
+  });
+}
+
+std::span<const std::uint32_t> Candidates::findSurprised(const World& world,
+                                                         std::span<const double> reach,
+                                                         std::span<const std::uint32_t> among,
+                                                         ThreadPool& threads) {
+  findBeyond(world, reach, among, threads);
+  double excess = 0;
+  for (const auto& beyond : beyond_)
+    for (const std::uint32_t i : beyond)
+      excess = std::max(excess, length(wayOf(world, i)) - reach[i]);
+  surprised_.clear();
+  for (const auto& beyond : beyond_)
+    for (const std::uint32_t i : beyond)
+      if (isSurprised(world, among, i, reach[i], excess)) surprised_.push_back(i);
+  return surprised_;
+}
+
+void Candidates::findBeyond(const World& world, std::span<const double> reach,
+                            std::span<const std::uint32_t> among, ThreadPool& threads) {
+  beyond_.resize(threads.ranges(among.size(), kLeastRange));
+  threads.forRanges(among.size(), kLeastRange,
+                    [&](std::size_t begin, std::size_t end, std::size_t range) {
+                      beyond_[range].clear();
+                      for (const std::uint32_t i : among.subspan(begin, end - begin)) {
+                        // What is not finite has no reach.
+                        if (squaredLength(wayOf(world, i)) > reach[i] * reach[i])
+                          beyond_[range].push_back(i);
+                      }
+                    });
+}
+
+bool Candidates::isSurprised(const World& world, std::span<const std::uint32_t> among,
+                             std::uint32_t ball, double reach, double excess) {
+  const Balls& balls = world.balls;
+  const auto [start, listed] = spheres_[ball];
+  const Vec3 way = wayOf(world, ball);
+  const double radius = balls.radius[ball];
+  if (hasMissedArena(world.arena, start, balls.position[ball], radius, reach)) return true;
+  if (!areFew_) {
+    const Vec3 margin = Vec3::Constant(radius + length(way) + excess);
+    around_.clear();
+    broadphase_.findIn(start - margin, start + margin, around_);
+    among = around_;
   }
-  ballPairs_.resize(count);
+  return std::ranges::any_of(among, [&](std::uint32_t i) {
+    const Vec3 between = spheres_[i].center - start;
+    const double bound = listed + spheres_[i].radius;
+    return i != ball && squaredLength(between) > bound * bound &&
+           distanceFromPath(between, Vec3::Zero(), way - wayOf(world, i)) <=
+               radius + balls.radius[i];
+  });
 }
 
 void Candidates::findAmongFew(const World& world, std::span<const double> reach,
@@ -109,23 +167,27 @@ void Candidates::findBallsAndLeaning(const World& world) {
 }
 
 void Candidates::findArena(const World& world, std::span<const double> reach,
-                           std::span<const std::uint32_t> among) {
-  nearArena_.resize(world.balls.size());
-  for (const std::uint32_t i : among) nearArena_[i] = 0;
-  for (const std::uint32_t i : broadphase_.nearGround()) nearArena_[i] |= kNearGround;
-  // A ball near two pieces of the wall stands twice.
-  for (const std::uint32_t i : broadphase_.nearWall()) nearArena_[i] |= kNearWall;
-  arenaPairs_.clear();
-  const auto add = [&](std::uint32_t i, std::uint32_t partner) {
-    if (mayTouchArena(world.arena, world.balls.position[i], world.balls.radius[i], reach[i],
-                      partner))
-      arenaPairs_.push_back({i, partner});
-  };
+                           std::span<const std::uint32_t> among, ThreadPool& threads) {
   static_assert(kWall < kGround, "pairs are in order of (a, b)");
-  for (const std::uint32_t i : among) {
-    if (nearArena_[i] & kNearWall) add(i, kWall);
-    if (nearArena_[i] & kNearGround) add(i, kGround);
-  }
+  arenaPairs_.resize(2 * among.size());
+  const Arena& arena = world.arena;
+  collect(among.size(), threads, 2, arenaPairs_, [&](std::size_t n, BallPair* found) {
+    const std::uint32_t i = among[n];
+    const auto [center, within] = spheres_[i];
+    const double x = center.x() - arena.center.x();
+    const double z = center.z() - arena.center.z();
+    // Most are far from the wall, and need no root for that.
+    const double inner = kSurelyInside * (arena.radius - within);
+    const bool isFar = inner > 0 && x * x + z * z < inner * inner;
+    const auto mayTouch = [&](std::uint32_t partner) {
+      return mayTouchArena(arena, center, world.balls.radius[i], reach[i], partner);
+    };
+    const bool isIn = isFinite(center) && std::isfinite(within);
+    found[0] = {i, kWall};
+    const std::size_t walls = isIn && !isFar && mayTouch(kWall) ? 1 : 0;
+    found[walls] = {i, kGround};
+    return walls + (isIn && mayTouch(kGround) ? 1 : 0);
+  });
 }
 
 }  // namespace wells

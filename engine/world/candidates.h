@@ -32,6 +32,12 @@ class Candidates {
   /// These take no part from the next find() on, until they are among its balls again.
   void remove(std::span<const std::uint32_t> balls) { broadphase_.remove(balls); }
 
+  /// When balls have moved since find(world, reach, among): those that went beyond their reach and
+  /// met a ball, ground or wall that is not listed, if all moved straight on. Rising ids.
+  std::span<const std::uint32_t> findSurprised(const World& world, std::span<const double> reach,
+                                               std::span<const std::uint32_t> among,
+                                               ThreadPool& threads);
+
   // Of the last find(), all by (a, b), each once.
 
   std::span<const BallPair> ballPairs() const { return ballPairs_; }
@@ -44,7 +50,8 @@ class Candidates {
   /// compute. Here such balls only stop falling, because what holds them is not known.
   std::span<const std::uint8_t> isLeaning() const { return isLeaning_; }
 
-  /// Pairs of the broadphase; where there is none, because balls are few, all that were found.
+  /// Pairs of the broadphase and those with the arena; without a broadphase, because balls are few,
+  /// all that were found.
   std::int64_t pairs() const;
 
  private:
@@ -60,7 +67,16 @@ class Candidates {
                     std::span<const std::uint32_t> among);
   void findBallsAndLeaning(const World& world);
   void findArena(const World& world, std::span<const double> reach,
-                 std::span<const std::uint32_t> among);
+                 std::span<const std::uint32_t> among, ThreadPool& threads);
+  void findBeyond(const World& world, std::span<const double> reach,
+                  std::span<const std::uint32_t> among, ThreadPool& threads);
+  /// Of one that went beyond its reach; nobody did so by more than `excess` (m).
+  bool isSurprised(const World& world, std::span<const std::uint32_t> among, std::uint32_t ball,
+                   double reach, double excess);
+  /// m, of a ball since find().
+  Vec3 wayOf(const World& world, std::uint32_t ball) const {
+    return world.balls.position[ball] - spheres_[ball].center;
+  }
 
   Broadphase broadphase_;
   bool areFew_ = false;
@@ -69,8 +85,11 @@ class Candidates {
   std::vector<BallPair> leaningPairs_;
   // By ball; only those of the last find() are valid.
   std::vector<std::uint8_t> isLeaning_;
-  std::vector<std::uint8_t> nearArena_;  // bits
   std::vector<Sphere> spheres_;
+  // Of the last findSurprised().
+  std::vector<std::vector<std::uint32_t>> beyond_;  // by range of balls
+  std::vector<std::uint32_t> surprised_;
+  std::vector<std::uint32_t> around_;  // scratch
 };
 
 }  // namespace wells

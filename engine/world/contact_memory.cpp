@@ -1,7 +1,9 @@
 #include "world/contact_memory.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <utility>
 
 namespace wells {
 namespace {
@@ -14,9 +16,11 @@ bool isFiniteImpulse(const StepperMemory::Contact& c) {
 }  // namespace
 
 const ContactMemory::Kept* ContactMemory::find(std::uint32_t a, std::uint32_t b) const {
-  for (const Kept& kept : isBall(b) ? ofBall(a) : ofBallInArena(a))
-    if (kept.b == b) return &kept;
-  return nullptr;
+  const Kept* found = nullptr;
+  forEachOf(a, [&](const Kept& kept) {
+    if (kept.b == b) found = &kept;
+  });
+  return found;
 }
 
 void ContactMemory::start(Contact& contact, double substep) const {
@@ -45,13 +49,13 @@ void ContactMemory::add(std::span<const Kept> contacts) {
 }
 
 void ContactMemory::arrange() {
-  lists_.clear();
+  firstOf_.clear();
+  next_.reserve(kept_.capacity());
+  next_.resize(kept_.size());
   for (std::uint32_t n = 0; n < kept_.size(); ++n) {
-    const Kept& c = kept_[n];
-    if (c.a >= lists_.size()) lists_.resize(c.a + 1);
-    Range& range = isBall(c.b) ? lists_[c.a].balls : lists_[c.a].arena;
-    if (range.count == 0) range.first = n;
-    ++range.count;
+    const std::uint32_t a = kept_[n].a;
+    if (a >= firstOf_.size()) firstOf_.resize(std::bit_ceil(a + 1), kNone);
+    next_[n] = std::exchange(firstOf_[a], n);
   }
 }
 

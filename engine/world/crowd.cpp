@@ -13,7 +13,10 @@ constexpr double kFarApart = 1e6;             // m, of the two balls that idle l
 constexpr std::uint32_t kNever = 0xfffffff0;  // no substep, nor the one before the first
 constexpr std::size_t kLeastPairs = 256;      // that a thread gathers, or a shared batch has
 constexpr std::size_t kLeastBalls = 256;      // that a thread copies
-constexpr std::size_t kFlightBlock = 64;      // balls, that fit the cache as components
+// Times as many contacts as balls, which it takes longer to go through one after the other than to
+// look up those of each ball.
+constexpr std::size_t kFarMore = 8;
+constexpr std::size_t kFlightBlock = 64;  // balls, that fit the cache as components
 
 constexpr std::size_t kSpare = 64;  // records, so that small changes take no memory
 
@@ -34,28 +37,6 @@ class FlightBlock {
   Component x_, y_, z_, vx_, vy_, vz_;
 };
 
-/// Looks up contacts in the order of pairs, going along with those of each ball.
-class OldContacts {
- public:
-  explicit OldContacts(const ContactMemory& memory) : memory_(memory) {}
-
-  const ContactMemory::Kept* find(const BallPair& pair) {
-    if (pair.a != ball_ || isBall(pair.b) != areBalls_) {
-      ball_ = pair.a;
-      areBalls_ = isBall(pair.b);
-      left_ = areBalls_ ? memory_.ofBall(ball_) : memory_.ofBallInArena(ball_);
-    }
-    while (!left_.empty() && left_.front().b < pair.b) left_ = left_.subspan(1);
-    return !left_.empty() && left_.front().b == pair.b ? &left_.front() : nullptr;
-  }
-
- private:
-  const ContactMemory& memory_;
-  std::uint32_t ball_ = kGround;
-  bool areBalls_ = false;
-  std::span<const ContactMemory::Kept> left_;
-};
-
 }  // namespace
 
 void Crowd::step(const CrowdInput& in, Balls& balls, ThreadPool& pool, Books* books) {
@@ -66,7 +47,8 @@ void Crowd::step(const CrowdInput& in, Balls& balls, ThreadPool& pool, Books* bo
   island_ = order_.ids();
   rules_ = {h, in.settings.elasticity, in.settings.friction, *in.model.arena, 0};
   threads_ = static_cast<std::size_t>(pool.threads());
-  gather(in, balls, pool);
+  gather(in.island, balls, pool);
+  findContacts(in, pool);
   planGroups();
   for (int n = 0; n < substeps; ++n) {
     rules_.substep = static_cast<std::uint32_t>(n + 1);
@@ -77,7 +59,7 @@ void Crowd::step(const CrowdInput& in, Balls& balls, ThreadPool& pool, Books* bo
       runSubstep(in, n * h, pool);
   }
   pool.forRanges(island_.size(), kLeastBalls, [&](std::size_t begin, std::size_t end, std::size_t) {
-    scatter(balls, {begin, end});
+    scatter(in.island.subspan(begin, end - begin), balls);
   });
 }
 
@@ -88,6 +70,7 @@ void Crowd::runSubstep(const CrowdInput& in, double start, ThreadPool& pool) {
     fly(in, start, partOf(island_.size(), kFlightBlock, thread, threads_));
     barrier.wait();
     stage.next(Stage::Prepare);
+    findLate(thread, barrier);
     prepare(thread, barrier);
     stage.next(Stage::Solve);
     solve(in.settings, thread, barrier);
@@ -97,20 +80,24 @@ void Crowd::runSubstep(const CrowdInput& in, double start, ThreadPool& pool) {
   });
 }
 
-void Crowd::gather(const CrowdInput& in, const Balls& balls, ThreadPool& pool) {
+void Crowd::gather(std::span<const std::uint32_t> ids, const Balls& balls, ThreadPool& pool) {
   const std::size_t count = island_.size();
   const std::size_t idle = 2 * threads_;
+  if (workers_.size() < threads_) workers_.resize(threads_);
   makeRoomFor(placeOf_, balls.size());
   makeRoomFor(place_, count + idle);
   makeRoomFor(momentum_, count + idle);
   makeRoomFor(gained_, count + idle);
   pool.forRanges(count, kLeastBalls, [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t k = begin; k < end; ++k) {
-      const std::uint32_t i = island_[k];
+    for (std::size_t k = begin; k < end; ++k) placeOf_[island_[k]] = static_cast<std::uint32_t>(k);
+  });
+  // In the order of the world, of which more arrays are read than of the crowd written.
+  pool.forRanges(count, kLeastBalls, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (const std::uint32_t i : ids.subspan(begin, end - begin)) {
+      const std::uint32_t k = placeOf_[i];
       const Vec3& x = balls.position[i];
       const Vec3& v = balls.velocity[i];
       const Vec3 s = balls.radius[i] * balls.spin[i];
-      placeOf_[i] = static_cast<std::uint32_t>(k);
       place_[k] = {x.x(), x.y(), x.z(), balls.radius[i]};
       momentum_[k] = {v.x(), v.y(), v.z(), 1 / balls.mass[i], s.x(), s.y(), s.z(), 0};
     }
@@ -120,27 +107,49 @@ void Crowd::gather(const CrowdInput& in, const Balls& balls, ThreadPool& pool) {
     momentum_[count + k] = {.inverseMass = 1};
     gained_[count + k] = {};
   }
+}
 
-  const std::span<const BallPair> pairs = in.pairs;
-  batches_.split(pairs, island_, placeOf_);
-  makeRoomFor(lasting_, pairs.size() + threads_);
-  makeRoomFor(touchedIn_, pairs.size() + threads_);
-  const double scale = in.memory.scaleTo(rules_.h);
-  const auto slots = batches_.slots();
-  pool.forRanges(pairs.size(), kLeastPairs, [&](std::size_t begin, std::size_t end, std::size_t) {
-    OldContacts old(in.memory);
-    for (std::size_t n = begin; n < end; ++n) {
-      const ContactMemory::Kept* const kept = old.find(pairs[n]);
-      touchedIn_[slots[n]] = kept ? 0 : kNever;
-      if (!kept) continue;
-      const Vec3 tangent = scale * kept->tangentImpulse;
-      lasting_[slots[n]] = {scale * kept->normalImpulse, tangent.x(), tangent.y(), tangent.z()};
-    }
-  });
-  for (std::size_t k = 0; k < threads_; ++k) {
-    lasting_[pairs.size() + k] = {};
-    touchedIn_[pairs.size() + k] = kNever;
+void Crowd::findContacts(const CrowdInput& in, ThreadPool& pool) {
+  const auto arena =
+      std::ranges::partition_point(in.pairs, isBall, [](const BallPair& p) { return p.b; });
+  pairs_.find({in.pairs.begin(), arena}, island_, placeOf_, in.settings.dt, place_.data(),
+              momentum_.data(), pool);
+  batches_.split(pairs_.near(), {arena, in.pairs.end()}, placeOf_, threads_, pool);
+  makeRoomForLasting();
+  std::ranges::fill(touchedIn_, kNever);
+  startFrom(in.memory, pool);
+}
+
+// What has not touched yet lasts from nowhere, whatever stands there.
+void Crowd::makeRoomForLasting() {
+  lasting_.resize(batches_.pairs().size());
+  touchedIn_.resize(batches_.pairs().size(), kNever);
+}
+
+/// From what the contacts ended the last step with.
+void Crowd::startFrom(const ContactMemory& memory, ThreadPool& pool) {
+  const double scale = memory.scaleTo(rules_.h);
+  // A ball that is not of the island has no place in it, or another's.
+  const auto isMine = [&](std::uint32_t i) {
+    return placeOf_[i] < island_.size() && island_[placeOf_[i]] == i;
+  };
+  const auto start = [&](const ContactMemory::Kept& kept) {
+    if (!isMine(kept.a) || (isBall(kept.b) && !isMine(kept.b))) return;
+    const std::uint32_t partner = isBall(kept.b) ? placeOf_[kept.b] : kept.b;
+    const std::uint32_t slot = batches_.find(placeOf_[kept.a], partner);
+    if (slot == ContactBatches::kNoPair) return;
+    const Vec3 tangent = scale * kept.tangentImpulse;
+    touchedIn_[slot] = 0;
+    lasting_[slot] = {scale * kept.normalImpulse, tangent.x(), tangent.y(), tangent.z()};
+  };
+  const auto all = memory.contacts();
+  if (all.size() > kFarMore * island_.size()) {
+    for (const std::uint32_t i : island_) memory.forEachOf(i, start);
+    return;
   }
+  pool.forRanges(all.size(), kLeastPairs, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (const ContactMemory::Kept& kept : all.subspan(begin, end - begin)) start(kept);
+  });
 }
 
 /// Who goes through which batches.
@@ -158,7 +167,6 @@ void Crowd::planGroups() {
       groups_.push_back({n, n + 1, sharing});
   }
   parts_.assign(batches.size() * threads_, {});
-  if (workers_.size() < threads_) workers_.resize(threads_);
 }
 
 CrowdArrays Crowd::arraysOf(std::size_t thread) {
@@ -170,7 +178,7 @@ CrowdArrays Crowd::arraysOf(std::size_t thread) {
           lasting_.data(),
           touchedIn_.data(),
           static_cast<std::uint32_t>(island_.size() + 2 * thread),
-          static_cast<std::uint32_t>(batches_.pairs().size() + thread)};
+          static_cast<std::uint32_t>(batches_.firstIdle() + thread)};
 }
 
 void Crowd::fly(const CrowdInput& in, double start, IndexRange range) {
@@ -233,6 +241,43 @@ bool Crowd::takesPart(std::size_t thread, Sharing sharing, const ContactBatch& b
   return false;
 }
 
+std::span<const std::uint32_t> Crowd::touching(std::size_t thread, PartnerKind partner,
+                                               const IndexPair* pairs, std::size_t first,
+                                               std::size_t last) {
+  std::vector<std::uint32_t>& list = workers_[thread].touching;
+  makeRoomFor(list, last - first);
+  CrowdArrays arrays = arraysOf(thread);
+  arrays.pairs = pairs;
+  return {list.data(), findTouching(partner, rules_, arrays, static_cast<std::uint32_t>(first),
+                                    static_cast<std::uint32_t>(last), list.data())};
+}
+
+// Where something has been deflected, far pairs touch, which were not kept ready.
+void Crowd::findLate(std::size_t thread, Barrier& barrier) {
+  const auto far = pairs_.far(thread);
+  workers_[thread].late = touching(thread, PartnerKind::Ball, far.data(), 0, far.size());
+  barrier.wait();
+  if (thread == 0) addLate();
+  barrier.wait();
+}
+
+void Crowd::addLate() {
+  const std::uint32_t idle = arraysOf(0).idleBall;
+  for (std::size_t thread = 0; thread < threads_; ++thread) {
+    const auto far = pairs_.far(thread);
+    for (const std::uint32_t n : workers_[thread].late) {
+      batches_.add(far[n]);
+      far[n] = {idle, idle + 1};  // which never touch
+    }
+  }
+  const std::size_t first = batches_.firstLate();
+  const std::size_t last = batches_.pairs().size();
+  if (first == last) return;
+  makeRoomForLasting();
+  batches_.setLate(touching(0, PartnerKind::Ball, batches_.pairs().data(), first, last));
+  planGroups();
+}
+
 // Nothing moves yet, so each thread goes through all that is its own.
 void Crowd::prepare(std::size_t thread, Barrier& barrier) {
   const CrowdArrays arrays = arraysOf(thread);
@@ -243,22 +288,21 @@ void Crowd::prepare(std::size_t thread, Barrier& barrier) {
   for (const Group& group : groups_) {
     for (std::size_t n = group.first; n < group.last; ++n) {
       if (!takesPart(thread, group.sharing, batches[n])) continue;
-      const auto [partner, tile, first, last] = batches[n];
+      const auto [partner, of, tile, first, last] = batches[n];
       const IndexRange range = group.sharing == Sharing::Batch
                                    ? partOf(last - first, kContactLanes, thread, threads_)
                                    : IndexRange{0, last - first};
-      makeRoomFor(worker.touching, range.end - range.begin);
-      const std::size_t count =
-          findTouching(partner, rules_, arrays, first + static_cast<std::uint32_t>(range.begin),
-                       first + static_cast<std::uint32_t>(range.end), worker.touching.data());
+      const auto list =
+          of == ContactBatch::Of::Late
+              ? batches_.late().subspan(first + range.begin, range.end - range.begin)
+              : touching(thread, partner, arrays.pairs, first + range.begin, first + range.end);
       Part& part = parts_[n * threads_ + thread];
-      part = {worker.used, (count + kContactLanes - 1) / kContactLanes};
+      part = {worker.used, (list.size() + kContactLanes - 1) / kContactLanes};
       worker.used += part.count;
       makeRoomFor(worker.blocks, worker.used);
       makeRoomFor(worker.flights, worker.used);
-      prepareContacts(partner, rules_, arrays, {worker.touching.data(), count},
-                      worker.blocks.data() + part.first, worker.flights.data() + part.first,
-                      worker.substep);
+      prepareContacts(partner, rules_, arrays, list, worker.blocks.data() + part.first,
+                      worker.flights.data() + part.first, worker.substep);
     }
   }
   barrier.wait();
@@ -340,36 +384,31 @@ void Crowd::keepInArena() {
   }
 }
 
-void Crowd::scatter(Balls& balls, IndexRange range) const {
-  for (std::size_t k = range.begin; k < range.end; ++k) {
-    const Place& x = place_[k];
-    const Momentum& m = momentum_[k];
-    const std::uint32_t i = island_[k];
+void Crowd::scatter(std::span<const std::uint32_t> ids, Balls& balls) const {
+  for (const std::uint32_t i : ids) {
+    const Place& x = place_[placeOf_[i]];
+    const Momentum& m = momentum_[placeOf_[i]];
     balls.position[i] = {x.x, x.y, x.z};
     balls.velocity[i] = {m.vx, m.vy, m.vz};
     balls.spin[i] = Vec3(m.sx, m.sy, m.sz) / x.radius;
   }
 }
 
-void Crowd::keep(std::span<const BallPair> pairs, ThreadPool& pool, ContactMemory& memory) {
-  const auto slots = batches_.slots();
-  const auto collect = [&](std::size_t begin, std::size_t end, std::size_t range) {
-    std::vector<ContactMemory::Kept>& kept = workers_[range].kept;
-    kept.clear();
-    for (std::size_t n = begin; n < end; ++n) {
-      const std::uint32_t slot = slots[n];
-      const LastingImpulse& lasting = lasting_[slot];
-      if (touchedIn_[slot] != rules_.substep || !(lasting.normal > 0)) continue;
-      kept.push_back({pairs[n].a,
-                      pairs[n].b,
-                      lasting.normal,
-                      {lasting.tx, lasting.ty, lasting.tz},
-                      Vec3::Zero()});
+void Crowd::keep(ContactMemory& memory) const {
+  forEachBlock([&](PartnerKind kind, const ContactBlock& block, const ContactFlight& flight) {
+    std::array<ContactMemory::Kept, kContactLanes> some;
+    std::size_t count = 0;
+    // Without a branch for each: whether a contact lasts cannot be foretold.
+    for (std::size_t lane = 0; lane < block.count; ++lane) {
+      some[count] = {island_[block.a[lane]],
+                     kind == PartnerKind::Ball ? island_[block.b[lane]] : partnerOf(kind),
+                     block.normal[lane],
+                     {block.tx[lane], block.ty[lane], block.tz[lane]},
+                     Vec3::Zero()};
+      count += flight.lasts[lane] * block.normal[lane] > 0 ? 1 : 0;
     }
-  };
-  pool.forRanges(pairs.size(), kLeastPairs, collect);
-  for (std::size_t range = 0; range < pool.ranges(pairs.size(), kLeastPairs); ++range)
-    memory.add(workers_[range].kept);
+    memory.add(std::span(some).first(count));
+  });
 }
 
 }  // namespace wells

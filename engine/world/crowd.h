@@ -12,6 +12,7 @@
 #include "contacts/contact_batches.h"
 #include "contacts/crowd_kernels.h"
 #include "contacts/ledger.h"
+#include "contacts/near_pairs.h"
 #include "contacts/path.h"
 #include "contacts/spatial_order.h"
 #include "state/books.h"
@@ -37,8 +38,8 @@ class Crowd {
   /// Advances the balls of the island by settings.dt. Books it unless `books` is null.
   void step(const CrowdInput& in, Balls& balls, ThreadPool& pool, Books* books);
 
-  /// Adds the contacts that lasted to the end of the last step, in the order of the pairs.
-  void keep(std::span<const BallPair> pairs, ThreadPool& pool, ContactMemory& memory);
+  /// Adds the contacts that lasted to the end of the last step.
+  void keep(ContactMemory& memory) const;
 
   /// Null: none.
   void setClock(StageClock* clock) { clock_ = clock; }
@@ -59,21 +60,30 @@ class Crowd {
   };
   /// What a thread has to itself; on cache lines of its own.
   struct alignas(64) Worker {
-    CrowdSubstep substep;                   // what it found
-    double changed[2] = {0, 0};             // m/s, by parity of the pass
-    std::size_t used = 0;                   // of the blocks
-    std::vector<ContactBlock> blocks;       // with room for more
-    std::vector<ContactFlight> flights;     // of the same contacts
-    std::vector<std::uint32_t> touching;    // scratch
-    std::vector<ContactMemory::Kept> kept;  // likewise
+    CrowdSubstep substep;                 // what it found
+    double changed[2] = {0, 0};           // m/s, by parity of the pass
+    std::size_t used = 0;                 // of the blocks
+    std::vector<ContactBlock> blocks;     // with room for more
+    std::vector<ContactFlight> flights;   // of the same contacts
+    std::vector<std::uint32_t> touching;  // scratch
+    std::span<const std::uint32_t> late;  // of these, far pairs
   };
 
-  void gather(const CrowdInput& in, const Balls& balls, ThreadPool& pool);
+  void gather(std::span<const std::uint32_t> ids, const Balls& balls, ThreadPool& pool);
+  void findContacts(const CrowdInput& in, ThreadPool& pool);
+  void makeRoomForLasting();
+  void startFrom(const ContactMemory& memory, ThreadPool& pool);
   void planGroups();
   CrowdArrays arraysOf(std::size_t thread);
   // By all threads.
   void runSubstep(const CrowdInput& in, double start, ThreadPool& pool);
   void fly(const CrowdInput& in, double start, IndexRange range);
+  /// Those of pairs first .. last - 1 that touch, until the thread asks again.
+  std::span<const std::uint32_t> touching(std::size_t thread, PartnerKind partner,
+                                          const IndexPair* pairs, std::size_t first,
+                                          std::size_t last);
+  void findLate(std::size_t thread, Barrier& barrier);
+  void addLate();
   void prepare(std::size_t thread, Barrier& barrier);
   void solve(const Settings& settings, std::size_t thread, Barrier& barrier);
   void shift(std::size_t thread, Barrier& barrier);
@@ -86,9 +96,17 @@ class Crowd {
   std::span<ContactBlock> blocksOf(std::size_t thread, const Part& part) {
     return std::span(workers_[thread].blocks).subspan(part.first, part.count);
   }
+  /// Calls action(partner, block, flight) for all that the last substep prepared.
+  template <class Action>
+  void forEachBlock(Action action) const {
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+      const Worker& worker = workers_[p % threads_];
+      for (std::size_t n = parts_[p].first; n < parts_[p].first + parts_[p].count; ++n)
+        action(batches_.batches()[p / threads_].partner, worker.blocks[n], worker.flights[n]);
+    }
+  }
   CrowdSubstep substepOfAll() const;
-  void scatter(Balls& balls, IndexRange range) const;
-  void scatter(Balls& balls) const { scatter(balls, {0, island_.size()}); }
+  void scatter(std::span<const std::uint32_t> ids, Balls& balls) const;
 
   // Booking (crowd_books.cpp), from states between the parts of a substep; `balls` get these.
   struct Booking {
@@ -115,7 +133,8 @@ class Crowd {
   std::vector<Place> place_;
   std::vector<Momentum> momentum_;
   std::vector<Gained> gained_;
-  // By pair in the order of the batches, then the idle ones.
+  NearPairs pairs_;
+  // By pair in the order of the batches; idle ones; late ones.
   ContactBatches batches_;
   std::vector<LastingImpulse> lasting_;
   std::vector<std::uint32_t> touchedIn_;

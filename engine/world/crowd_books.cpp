@@ -4,14 +4,6 @@
 #include "world/crowd.h"
 
 namespace wells {
-namespace {
-
-constexpr std::uint32_t partnerOf(PartnerKind kind) {
-  return kind == PartnerKind::Ground ? kGround : kWall;
-}
-
-}  // namespace
-
 // As runSubstep() has it, with a look at the state after each part.
 void Crowd::runBookedSubstep(const CrowdInput& in, double start, ThreadPool& pool, Balls& balls,
                              Books& books) {
@@ -28,6 +20,7 @@ void Crowd::runBookedSubstep(const CrowdInput& in, double start, ThreadPool& poo
   const Booking flown = bookingOf(in.model, end, balls);
   stage.next(Stage::Solve);
   const Booking solved = inAllThreads([&](std::size_t thread, Barrier& barrier) {
+    findLate(thread, barrier);
     prepare(thread, barrier);
     solve(in.settings, thread, barrier);
   });
@@ -41,7 +34,7 @@ void Crowd::runBookedSubstep(const CrowdInput& in, double start, ThreadPool& poo
 }
 
 void Crowd::bookFlights(const CrowdInput& in, double start, Balls& balls, Books& books) const {
-  scatter(balls);
+  scatter(island_, balls);
   const Ledger ledger{&books, in.model.arena->center};
   for (const std::uint32_t i : island_)
     if (!in.isLeaning[i])
@@ -50,7 +43,7 @@ void Crowd::bookFlights(const CrowdInput& in, double start, Balls& balls, Books&
 }
 
 Crowd::Booking Crowd::bookingOf(const PathModel& model, double time, Balls& balls) const {
-  scatter(balls);
+  scatter(island_, balls);
   Booking booking;
   for (const std::uint32_t i : island_) {
     const double surface = balls.radius[i] * balls.radius[i] * squaredLength(balls.spin[i]);
@@ -65,33 +58,28 @@ Crowd::Booking Crowd::bookingOf(const PathModel& model, double time, Balls& ball
 Books Crowd::booksOfImpulses(const PathModel& model, const Balls& balls) {
   Books books;
   const Ledger ledger{&books, model.arena->center};
-  for (std::size_t p = 0; p < parts_.size(); ++p) {
-    const PartnerKind kind = batches_.batches()[p / threads_].partner;
-    const Worker& worker = workers_[p % threads_];
-    for (std::size_t n = parts_[p].first; n < parts_[p].first + parts_[p].count; ++n) {
-      const ContactBlock& block = worker.blocks[n];
-      for (std::size_t lane = 0; lane < block.count; ++lane) {
-        Contact c{.a = island_[block.a[lane]],
-                  .b = kind == PartnerKind::Ball ? island_[block.b[lane]] : partnerOf(kind),
-                  .normal = {block.nx[lane], block.ny[lane], block.nz[lane]},
-                  .gap = worker.flights[n].gap[lane],
-                  .impact = worker.flights[n].lasts[lane] == 0,
-                  .builtUp = worker.flights[n].builtUp[lane],
-                  .closingFlown = worker.flights[n].closing[lane],
-                  .normalImpulse = block.normal[lane],
-                  .tangentImpulse = {block.tx[lane], block.ty[lane], block.tz[lane]}};
-        c.share = shareAlone(c, balls);
-        books.contacts += workOfNormals({&c, 1}, balls);
-        if (kind == PartnerKind::Ball) {
-          // Action and reaction act on two surfaces that an overlap keeps apart.
-          books.shifts.angular -= c.gap * cross(c.normal, c.tangentImpulse);
-          bookTurnedNormal(ledger, c, balls);
-        } else {
-          bookArena(ledger, c, c.tangentImpulse - c.normalImpulse * c.normal, balls);
-        }
+  forEachBlock([&](PartnerKind kind, const ContactBlock& block, const ContactFlight& flight) {
+    for (std::size_t lane = 0; lane < block.count; ++lane) {
+      Contact c{.a = island_[block.a[lane]],
+                .b = kind == PartnerKind::Ball ? island_[block.b[lane]] : partnerOf(kind),
+                .normal = {block.nx[lane], block.ny[lane], block.nz[lane]},
+                .gap = flight.gap[lane],
+                .impact = flight.lasts[lane] == 0,
+                .builtUp = flight.builtUp[lane],
+                .closingFlown = flight.closing[lane],
+                .normalImpulse = block.normal[lane],
+                .tangentImpulse = {block.tx[lane], block.ty[lane], block.tz[lane]}};
+      c.share = shareAlone(c, balls);
+      books.contacts += workOfNormals({&c, 1}, balls);
+      if (kind == PartnerKind::Ball) {
+        // Action and reaction act on two surfaces that an overlap keeps apart.
+        books.shifts.angular -= c.gap * cross(c.normal, c.tangentImpulse);
+        bookTurnedNormal(ledger, c, balls);
+      } else {
+        bookArena(ledger, c, c.tangentImpulse - c.normalImpulse * c.normal, balls);
       }
     }
-  }
+  });
   return books;
 }
 

@@ -1,5 +1,6 @@
 #include "world/islands.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include "math/union_find.h"
@@ -25,21 +26,27 @@ void Islands::find(std::span<const BallPair> ballPairs, std::span<const BallPair
     isPaired_[i] = 0;
   }
   for (const BallPair& c : arenaPairs) isPaired_[c.a] = 1;
-  for (const BallPair& c : ballPairs) {
-    isPaired_[c.a] = isPaired_[c.b] = 1;
-    const std::uint32_t a = rootOf(parent_, c.a);
-    const std::uint32_t b = rootOf(parent_, c.b);
+  std::uint32_t ball = kNone;
+  std::uint32_t root = kNone;  // of that ball, who has several pairs in a row
+  for (const auto& [a, b] : ballPairs) {
+    if (a != ball) {
+      ball = a;
+      root = rootOf(parent_, a);
+    }
+    if (parent_[b] == root) continue;
+    const std::uint32_t other = rootOf(parent_, b);
+    if (other == root) continue;
     // The lower id is the root, so that islands come in order of their lowest ball.
-    if (a < b)
-      parent_[b] = a;
-    else
-      parent_[a] = b;
+    const std::uint32_t lower = std::min(root, other);
+    parent_[std::max(root, other)] = lower;
+    root = lower;
+    isPaired_[lower] = 1;
   }
 
   // Number the islands and count, then fill: two passes over balls and pairs.
   ballStart_.assign(1, 0);
   for (const std::uint32_t i : among) {
-    if (!isPaired_[i]) continue;
+    if (parent_[i] == i && !isPaired_[i]) continue;
     const std::uint32_t r = rootOf(parent_, i);
     if (r == i) {
       islandOf_[i] = static_cast<std::uint32_t>(ballStart_.size() - 1);

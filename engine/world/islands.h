@@ -35,7 +35,7 @@ class Islands {
   // By ball; only those of the last find() are valid.
   std::vector<std::uint32_t> parent_;  // union-find
   std::vector<std::uint32_t> islandOf_;
-  std::vector<std::uint8_t> isPaired_;
+  std::vector<std::uint8_t> isPaired_;  // of the roots, with a ball or the arena
   // By island.
   std::vector<std::uint32_t> balls_, ballStart_, pairStart_, next_;
   std::vector<BallPair> pairs_;

@@ -1,43 +1,59 @@
 #include "world/late_pairs.h"
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 
 namespace wells {
 namespace {
 
 constexpr double kLateOverlap = 1e-6;  // of the sum of radii
 constexpr std::int64_t kNoStep = -2;
+constexpr std::size_t kLeastRange = 16384;  // pairs, that a thread looks at
 
 }  // namespace
 
 std::int64_t LatePairs::count(const World& world, std::span<const BallPair> pairs,
                               std::span<const BallState> start,
-                              std::span<const std::uint32_t> awake) {
+                              std::span<const std::uint32_t> awake, ThreadPool& threads) {
   lastStep_.resize(world.balls.size(), kNoStep);
+  std::array<std::int64_t, kMostThreads> late{};
+  threads.forRanges(pairs.size(), kLeastRange,
+                    [&](std::size_t begin, std::size_t end, std::size_t range) {
+                      late[range] = countIn({begin, end}, world, pairs, start);
+                    });
+  before_.resize(pairs.size());
+  std::ranges::copy(pairs, before_.begin());
+  for (const std::uint32_t i : awake) lastStep_[i] = world.step;
+  return std::accumulate(late.begin(), late.end(), std::int64_t{0});
+}
+
+std::int64_t LatePairs::countIn(IndexRange range, const World& world,
+                                std::span<const BallPair> pairs,
+                                std::span<const BallState> start) const {
+  const auto isBefore = [](const BallPair& x, const BallPair& y) {
+    return x.a != y.a ? x.a < y.a : x.b < y.b;
+  };
+  if (range.begin == range.end) return 0;
   std::int64_t late = 0;
-  auto old = before_.begin();
-  const auto end = before_.end();
-  for (const BallPair& pair : pairs) {
-    while (old != end && (old->a != pair.a ? old->a < pair.a : old->b < pair.b)) ++old;
-    if (old != end && *old == pair)
+  auto old = std::ranges::lower_bound(before_, pairs[range.begin], isBefore);
+  for (const BallPair& pair : pairs.subspan(range.begin, range.end - range.begin)) {
+    while (old != before_.end() && isBefore(*old, pair)) ++old;
+    if (old != before_.end() && *old == pair)
       ++old;  // so that the next is most often the one that is looked for
     else if (isLate(world, pair, start))
       ++late;
   }
-  before_.resize(pairs.size());
-  std::ranges::copy(pairs, before_.begin());
-  for (const std::uint32_t i : awake) lastStep_[i] = world.step;
   return late;
 }
 
 bool LatePairs::isLate(const World& world, const BallPair& pair,
                        std::span<const BallState> start) const {
   const auto [a, b] = pair;
-  if (lastStep_[a] + 1 != world.step || lastStep_[b] + 1 != world.step) return false;
-  if (!world.owns(a) || !world.owns(b)) return false;
-  const double touching = world.balls.radius[a] + world.balls.radius[b];
-  const double apart = length(start[b].position - start[a].position);
-  return apart - touching < -kLateOverlap * touching;
+  const double most = (1 - kLateOverlap) * (world.balls.radius[a] + world.balls.radius[b]);
+  return squaredLength(start[b].position - start[a].position) < most * most &&
+         lastStep_[a] + 1 == world.step && lastStep_[b] + 1 == world.step && world.owns(a) &&
+         world.owns(b);
 }
 
 }  // namespace wells

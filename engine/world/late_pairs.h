@@ -9,6 +9,7 @@
 
 #include "broadphase/ball_pair.h"
 #include "state/world.h"
+#include "threads/thread_pool.h"
 
 namespace wells {
 
@@ -18,9 +19,12 @@ class LatePairs {
   /// touch as `pairs` (by (a, b)) have it. Other peers' balls do not count, for they jump when
   /// their states arrive.
   std::int64_t count(const World& world, std::span<const BallPair> pairs,
-                     std::span<const BallState> start, std::span<const std::uint32_t> awake);
+                     std::span<const BallState> start, std::span<const std::uint32_t> awake,
+                     ThreadPool& threads);
 
  private:
+  std::int64_t countIn(IndexRange range, const World& world, std::span<const BallPair> pairs,
+                       std::span<const BallState> start) const;
   bool isLate(const World& world, const BallPair& pair, std::span<const BallState> start) const;
 
   std::vector<BallPair> before_;        // those of the step before

@@ -45,7 +45,17 @@ class LoneBall {
     plan_.touching.clear();
     (plan_.arenaContacts.empty() ? plan_.free : plan_.touching).push_back(kBall);
     advance(world_.settings, input.model, plan_, ball, pool_);
-    return !isBeyondReach(start, ball.state(kBall), world_.settings.dt, reach_);
+    return !isReachTooShort(start, ball);
+  }
+
+  /// As the simulation has it; it is then enlarged.
+  bool isReachTooShort(const Vec3& start, const Balls& ball) {
+    const BallState now = ball.state(kBall);
+    if (!(length(now.position - start) > reach_) ||
+        !hasMissedArena(world_.arena, start, now.position, ball.radius[kBall], reach_))
+      return false;
+    enlargeReach(start, now, world_.settings.dt, reach_);
+    return true;
   }
 
   void findContacts(const Balls& ball) {

@@ -92,9 +92,9 @@ class Simulation : public Stepper {
   }
 
  private:
-  /// A ball that is thrown beyond its reach may have missed a pair: the step starts over with a
-  /// larger one. Reaches at least double each time, so that ends. So it does where a ball may have
-  /// touched one that sleeps, who then takes part.
+  /// A ball that is thrown beyond its reach may have missed a pair: the step then starts over with
+  /// a larger one. Reaches at least double each time, so that ends. So it does where a ball may
+  /// have touched one that sleeps, who then takes part.
   void tryUntilComplete(World& world, const Integrator& integrator) {
     for (int attempts = 1;;) {
       const bool isComplete = attempt(world, integrator, attempts);
@@ -153,7 +153,7 @@ class Simulation : public Stepper {
     counts_.substepBalls += static_cast<std::int64_t>(plan_.touching.size());
     counts_.directContacts = resolved.direct;
     counts_.unsolvedIslands = resolved.unsolved;
-    return enlargeReaches(world) == 0;
+    return !isReachTooShort(world);
   }
 
   void commit(World& world, const Integrator& integrator) {
@@ -162,7 +162,8 @@ class Simulation : public Stepper {
     stage.next(Stage::Prepare);
     keepContacts();
     if (!world.roles.empty()) findLeaning(world);
-    counts_.latePairs = latePairs_.count(world, candidates_.ballPairs(), start_, sleep_.awake());
+    counts_.latePairs =
+        latePairs_.count(world, candidates_.ballPairs(), start_, sleep_.awake(), *pool_);
     stage.next(Stage::Other);
     for (const std::uint32_t i : sleep_.awake()) stepsInSubsteps_[i] = nextStepsInSubsteps_[i];
     findQuarantined(world.balls);
@@ -266,7 +267,7 @@ class Simulation : public Stepper {
       crowd_.step({world.settings, input.model, island, islands_.pairs(n), candidates_.isLeaning(),
                    contactMemory_},
                   world.balls, *pool_, keeper_.books() ? &stepBooks_ : nullptr);
-      crowd_.keep(islands_.pairs(n), *pool_, nextMemory_);
+      crowd_.keep(nextMemory_);
       counts_.substepBalls += static_cast<std::int64_t>(island.size());
       markDone(n);
     }
@@ -279,17 +280,13 @@ class Simulation : public Stepper {
         world.step, island[0], island.size() - 1, world.settings.mostImpacts));
   }
 
-  /// How many balls went further than their reach; theirs are enlarged.
-  std::size_t enlargeReaches(const World& world) {
-    const Balls& balls = world.balls;
-    std::size_t enlarged = 0;
-    for (const std::uint32_t i : sleep_.awake()) {
-      const double squared = squaredLength(balls.position[i] - start_[i].position);
-      if (squared < kSurelyWithin * reach_[i] * reach_[i]) continue;
-      if (isBeyondReach(start_[i].position, balls.state(i), world.settings.dt, reach_[i]))
-        ++enlarged;
-    }
-    return enlarged;
+  /// Whether balls went further than their reaches and met somebody whom nobody expected; these
+  /// reaches are then enlarged.
+  bool isReachTooShort(const World& world) {
+    const auto surprised = candidates_.findSurprised(world, reach_, sleep_.awake(), *pool_);
+    for (const std::uint32_t i : surprised)
+      enlargeReach(start_[i].position, world.balls.state(i), world.settings.dt, reach_[i]);
+    return !surprised.empty();
   }
 
   void findPairs(const World& world) {
@@ -348,7 +345,6 @@ class Simulation : public Stepper {
 
   // Balls that a thread prepares: waking it takes as long as some thousand.
   static constexpr std::size_t kLeastRange = 8192;
-  static constexpr double kSurelyWithin = 0.999;  // of the square of a reach
 
   const SimulationOptions options_;
   ThreadPool one_;

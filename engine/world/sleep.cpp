@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "math/hash.h"
+#include "math/straight_path.h"
 #include "math/union_find.h"
 #include "world/advance.h"
 #include "world/measures.h"
@@ -41,12 +42,6 @@ bool areSame(const FieldWells& x, const FieldWells& y) {
 
 double speedOf(const Balls& balls, std::size_t i) {
   return length(balls.velocity[i]) + balls.radius[i] * length(balls.spin[i]);
-}
-
-double distanceFromPath(const Vec3& point, const Vec3& start, const Vec3& path) {
-  const double size = squaredLength(path);
-  const double along = size > 0 ? std::clamp(dot(point - start, path) / size, 0.0, 1.0) : 0;
-  return length(point - start - along * path);
 }
 
 /// Steps for which an island must have rested.

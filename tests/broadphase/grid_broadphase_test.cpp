@@ -172,24 +172,6 @@ TEST(GridBroadphase, PairsAsGroupsAndMasksSay) {
     boxes.addNear(Vec3::Zero(), 8, 0.3, i == 0 ? 9 : 0.6, group, group == 4 ? 3 : -1);
   }
   for (int step = 0; step < 10; ++step, boxes.move(0.3)) boxes.expectAll();
-
-  // The same without a cache.
-  GridBroadphase flat(nullptr);
-  std::vector<btBroadphaseProxy*> proxies;
-  for (const btBroadphaseProxy* const box : boxes.proxies())
-    proxies.push_back(
-        flat.createProxy(box->m_aabbMin, box->m_aabbMax, 0,
-                         reinterpret_cast<void*>(static_cast<std::uintptr_t>(proxies.size() + 1)),
-                         box->m_collisionFilterGroup, box->m_collisionFilterMask, nullptr));
-  flat.calculateOverlappingPairs(nullptr);
-  IdPairs found;
-  const auto take = [&](std::uint32_t x, std::uint32_t y) {
-    EXPECT_TRUE(found.insert(std::minmax(static_cast<int>(x), static_cast<int>(y))).second);
-    EXPECT_TRUE(mayCollide(*proxies[x - 1], *proxies[y - 1]));
-  };
-  flat.forEachPair(take, take);
-  EXPECT_LE(found.size(), flat.pairs());
-  for (const auto& pair : bruteForce(proxies)) EXPECT_TRUE(found.contains(pair));
 }
 
 // Cells cost memory in proportion to the boxes, wherever these are.

@@ -129,6 +129,76 @@ TEST(Candidates, MissNothingThatTouchesUnlessReachesAreTooShort) {
   }
 }
 
+/// 300 balls in a row, 4 m apart, that reach 0.3 m; seen by candidates of each kind, and by those
+/// of few.
+class Surprise : public testing::TestWithParam<std::pair<BroadphaseKind, int>> {
+ protected:
+  Surprise() {
+    world_.settings.broadphase = GetParam().first;
+    world_.arena.radius = 2000;
+    for (int i = 0; i < GetParam().second; ++i)
+      world_.balls.add({.position = Vec3{4.0 * i, 3, 0}}, 0.5, 1);
+    reach_.assign(world_.balls.size(), 0.3);
+    candidates_.find(world_, reach_, allOf(world_));
+  }
+
+  void move(std::size_t ball, const Vec3& way) { world_.balls.position[ball] += way; }
+
+  std::vector<std::uint32_t> surprised() {
+    ThreadPool alone;
+    const auto found = candidates_.findSurprised(world_, reach_, allOf(world_), alone);
+    return {found.begin(), found.end()};
+  }
+
+  using Balls = std::vector<std::uint32_t>;
+  World world_;
+  std::vector<double> reach_;
+  Candidates candidates_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Candidates, Surprise,
+                         testing::Values(std::pair{BroadphaseKind::Tree, 300},
+                                         std::pair{BroadphaseKind::Grid, 300},
+                                         std::pair{BroadphaseKind::Auto, 20}));
+
+TEST_P(Surprise, IsNobodyWhoStayedWithinReachOrMetNobody) {
+  move(3, {0.29, 0, 0});
+  EXPECT_EQ(surprised(), Balls());
+  move(3, {2.6, 0, 0});  // 0.11 m before the next
+  EXPECT_EQ(surprised(), Balls());
+}
+
+TEST_P(Surprise, IsWhoMetAnother) {
+  move(3, {3.1, 0, 0});
+  EXPECT_EQ(surprised(), Balls{3});
+}
+
+TEST_P(Surprise, IsWhoPassedAnotherOnItsWay) {
+  move(3, {8, 1.8, 0});  // 0.88 m over the centre of the next
+  EXPECT_EQ(surprised(), Balls{3});
+}
+
+TEST_P(Surprise, IsNobodyWhomAnotherMadeRoom) {
+  move(3, {3.1, 0, 0});
+  move(4, {0.2, 0, 0});
+  EXPECT_EQ(surprised(), Balls());
+}
+
+TEST_P(Surprise, AreBothWhereBothWentFar) {
+  move(3, {1.6, 0, 0});
+  move(4, {-1.6, 0, 0});
+  EXPECT_EQ(surprised(), (Balls{3, 4}));
+}
+
+TEST_P(Surprise, IsWhoMetTheArena) {
+  move(0, {0, -2.49, 0});
+  EXPECT_EQ(surprised(), Balls());
+  move(0, {0, -0.02, 0});
+  EXPECT_EQ(surprised(), Balls{0});
+  move(7, {0, 0, 3000});
+  EXPECT_EQ(surprised(), (Balls{0, 7}));
+}
+
 /// Balls of hostile worlds, which drift and jump.
 World hostileWorld(const std::string& what, std::uint64_t seed) {
   Random random(seed);

@@ -17,13 +17,14 @@ struct Row {
   std::int64_t step(const std::vector<BallPair>& pairs, const std::vector<std::uint32_t>& awake) {
     std::vector<BallState> start;
     for (std::size_t i = 0; i < world.balls.size(); ++i) start.push_back(world.balls.state(i));
-    const std::int64_t count = late.count(world, pairs, start, awake);
+    const std::int64_t count = late.count(world, pairs, start, awake, alone);
     ++world.step;
     return count;
   }
 
   World world;
   LatePairs late;
+  ThreadPool alone;
 };
 
 TEST(LatePairs, CountsAPairThatIsAnnouncedInOverlap) {

@@ -4,6 +4,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+
 #include "bench/micro/worlds.h"
 #include "world/candidates.h"
 #include "world/islands.h"
@@ -36,8 +38,22 @@ void splitIntoBatches(benchmark::State& state) {
   order.sort(world.balls, island.balls());
   std::vector<std::uint32_t> place(world.balls.size());
   for (std::uint32_t k = 0; k < order.ids().size(); ++k) place[order.ids()[k]] = k;
+  // All as if they were near.
+  std::vector<IndexPair> pairs;
+  std::vector<BallPair> arena;
+  for (const BallPair& pair : island.pairs())
+    if (isBall(pair.b))
+      pairs.push_back({place[pair.a], place[pair.b]});
+    else
+      arena.push_back(pair);
+  std::ranges::stable_sort(pairs, {}, &IndexPair::a);
+  std::vector<std::uint32_t> firstOf;
+  for (std::uint32_t k = 0; k <= order.ids().size(); ++k)
+    firstOf.push_back(static_cast<std::uint32_t>(
+        std::ranges::lower_bound(pairs, k, {}, &IndexPair::a) - pairs.begin()));
   ContactBatches batches;
-  for (auto _ : state) batches.split(island.pairs(), order.ids(), place);
+  ThreadPool pool;
+  for (auto _ : state) batches.split({pairs, firstOf}, arena, place, 1, pool);
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(island.pairs().size()));
   state.counters["batches"] = static_cast<double>(batches.batches().size());
 }

@@ -1,0 +1,59 @@
+// Which balls may touch, by a grid of cells (cell_grid.h): those whose spheres overlap. A sphere
+// holds the ball wherever it may get in the step, and a skin, so that one list of pairs serves
+// several steps; when one ball leaves its sphere, all are set anew. For balls of about the same
+// size.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "broadphase/ball_pair.h"
+#include "broadphase/cell_grid.h"
+#include "state/world.h"
+#include "threads/thread_pool.h"
+
+namespace wells {
+
+class SpherePairs {
+ public:
+  explicit SpherePairs(std::size_t balls) : spheres_(balls, {.radius = kAbsent}) {}
+
+  /// As Broadphase::update() has it. Returns how many spheres were set or removed.
+  std::int64_t update(const World& world, std::span<const double> reach,
+                      std::span<const std::uint32_t> among, ThreadPool& threads,
+                      std::vector<BallPair>& pairs);
+
+  void remove(std::span<const std::uint32_t> balls);
+
+  /// As Broadphase::findIn() has it.
+  void findIn(const Vec3& low, const Vec3& high, std::vector<std::uint32_t>& found);
+
+ private:
+  static constexpr double kAbsent = -1;  // for a radius
+
+  bool isThere(std::uint32_t ball) const { return spheres_[ball].radius >= 0; }
+  bool areKnown(const World& world, std::span<const double> reach,
+                std::span<const std::uint32_t> among) const;
+  void setSpheres(const World& world, std::span<const double> reach,
+                  std::span<const std::uint32_t> among, std::size_t pairs);
+  bool nextHasSkin();
+  void search(ThreadPool& threads);
+  void findBalls(SlotRange range, FoundPartners& found) const;
+  void searchLarge();
+  void list(ThreadPool& threads, std::vector<BallPair>& pairs);
+
+  std::vector<BoundSphere> spheres_;  // by ball
+  std::size_t removed_ = 0;           // since the pairs were listed
+  int stepsServed_ = 0;               // by the present list
+  int listsWithoutSkin_ = 0;          // that are to follow
+  double volume_ = 0;                 // m^3, of the cubes of its radii; 0: there is none
+  // Of the present list.
+  CellGrid grid_{BoxContent::Spheres};
+  std::vector<FoundPartners> found_;
+  std::vector<BallPair> largePairs_;
+  PairSorter sorter_;
+  std::vector<std::uint32_t> there_, near_;  // scratch
+};
+
+}  // namespace wells
