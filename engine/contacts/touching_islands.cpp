@@ -14,6 +14,7 @@ constexpr std::uint32_t kNone = 0xffffffff;
 void TouchingIslands::find(std::span<Contact> balls, std::span<Contact> arena,
                            std::size_t ballCount) {
   acting_.clear();
+  acting_.reserve(balls.size() + arena.size());
   for (const auto& list : {balls, arena})
     for (Contact& c : list)
       if (c.acts) acting_.push_back(&c);
