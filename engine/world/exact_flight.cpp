@@ -52,17 +52,27 @@ IslandFate ExactFlight::run(const StepInput& in, std::span<const std::uint32_t> 
 
 void ExactFlight::endStep(const StepInput& in, std::span<const std::uint32_t> island,
                           std::span<double> reach, Balls& balls) {
-  undisturbed_.clear();
+  flying_.clear();
   for (const std::uint32_t i : island) {
-    if (path_[i].motion == Motion::Flying && path_[i].start == 0) {
-      balls.setState(i, path_[i].state);
-      undisturbed_.push_back(i);
-    } else {
-      balls.setState(i, stateAt(in.model, path_[i], dt_));
+    const Path& path = path_[i];
+    if (path.motion != Motion::Flying) {
+      balls.setState(i, stateAt(in.model, path, dt_));
+      continue;
     }
+    balls.setState(i, path.state);
+    if (path.start < dt_) flying_.push_back(i);
   }
-  flyThrough(*in.model.integrator, {in.model.field, 0, dt_, in.model.drag}, undisturbed_,
-             balls.position.data(), balls.velocity.data());
+  // Those that set out together fly together.
+  const auto startOf = [&](std::uint32_t i) { return path_[i].start; };
+  if (!std::ranges::is_sorted(flying_, {}, startOf)) std::ranges::sort(flying_, {}, startOf);
+  for (std::span<const std::uint32_t> left = flying_; !left.empty();) {
+    const double start = startOf(left.front());
+    const auto next = std::ranges::find_if(left, [&](auto i) { return startOf(i) != start; });
+    const auto count = static_cast<std::size_t>(next - left.begin());
+    flyThrough(*in.model.integrator, {in.model.field, start, dt_ - start, in.model.drag},
+               left.first(count), balls.position.data(), balls.velocity.data());
+    left = left.subspan(count);
+  }
   for (const std::uint32_t i : island) checkReach(in, i, dt_, balls, reach);
 }
 
@@ -318,17 +328,25 @@ void ExactFlight::gatherCluster(const StepInput& in, std::span<const BallPair> p
   cluster_.clear();
   clusterBalls_.clear();
   const auto isHere = [&](std::uint32_t i) { return isInCluster_[i] != 0; };
-  const auto bring = [&](std::uint32_t i) {
-    if (!isBall(i) || isHere(i)) return;
-    balls.setState(i, stateAt(in.model, path_[i], event.time));
+  const auto bring = [&](std::uint32_t i, const BallState& state) {
+    balls.setState(i, state);
     clusterBalls_.push_back(i);
     isInCluster_[i] = 1;
   };
   const auto include = [&](std::uint32_t p) {
+    const auto [a, b] = pairs[p];
     inCluster_[p] = 1;
-    cluster_.push_back({.a = pairs[p].a, .b = pairs[p].b});
-    bring(pairs[p].a);
-    bring(pairs[p].b);
+    cluster_.push_back({.a = a, .b = b});
+    const bool isAMissing = !isHere(a);
+    const bool isBMissing = isBall(b) && !isHere(b);
+    if (isAMissing && isBMissing) {
+      const auto [stateA, stateB] = statesAt(in.model, path_[a], path_[b], event.time);
+      bring(a, stateA);
+      bring(b, stateB);
+    } else if (isAMissing || isBMissing) {
+      const std::uint32_t missing = isAMissing ? a : b;
+      bring(missing, stateAt(in.model, path_[missing], event.time));
+    }
     touch(arena, balls, cluster_.back());
   };
   include(event.pair);
