@@ -27,7 +27,7 @@ constexpr int kWarmUp = 5;  // steps, in which memory is taken
 struct FeatureOptions {
   std::vector<std::string> features;
   std::int64_t repeats = 11;
-  std::int64_t steps = 30;
+  std::int64_t steps = 100;
   fs::path out = "out/features";
 };
 
@@ -47,7 +47,7 @@ std::optional<FeatureOptions> parse(std::span<const std::string> arguments) {
   FeatureOptions options;
   addChoice(app, "--features", options.features, names, "default: all, " + joined(names, ", "));
   addInteger(app, "--repeats", options.repeats, 1, 1000, "rounds; medians count (default 11)");
-  addInteger(app, "--steps", options.steps, 1, 10'000, "that are timed in a round (default 30)");
+  addInteger(app, "--steps", options.steps, 1, 10'000, "that are timed in a round (default 100)");
   addPath(app, "--out", options.out, "FOLDER", "for all files (default out/features)");
   if (parseArguments(app, arguments) == Parsed::HelpShown) return {};
   return options;
@@ -81,8 +81,14 @@ PairedTimes compare(const Feature& feature, const FeatureScene& scene, Presence 
                     const FeatureOptions& options) {
   PairedTimes times;
   for (std::int64_t round = 0; round < options.repeats; ++round) {
-    const FeatureRun absent = feature.make(scene.make(), Presence::Absent, options.out);
-    const FeatureRun present = feature.make(scene.make(), presence, options.out);
+    FeatureRun absent, present;
+    const auto make = [&](FeatureRun& run, Presence how) {
+      run = feature.make(scene.make(), how, options.out);
+    };
+    const bool isAbsentOlder = round % 2 == 0;  // what was made first lies elsewhere in memory
+    if (isAbsentOlder) make(absent, Presence::Absent);
+    make(present, presence);
+    if (!isAbsentOlder) make(absent, Presence::Absent);
     double absentTime = 0;
     double presentTime = 0;
     for (std::int64_t step = -kWarmUp; step < options.steps; ++step) {

@@ -16,7 +16,7 @@ enum class Presence : std::uint8_t { Absent, Unused, Used };
 
 /// A world and what runs it. It starts where every other run of its feature does.
 struct FeatureRun {
-  std::function<void()> step;            // one step; what is timed
+  std::function<void()> step = {};       // one step; what is timed
   std::function<void()> meanwhile = {};  // what others do in that time, before it
 };
 

@@ -127,7 +127,6 @@ std::string reportText(const SpeedReport& report) {
 void write(const SpeedReport& report, const fs::path& folder) {
   writeAtomically(folder / "speed.txt", reportText(report));
   writeAtomically(folder / "speed.csv", speedCsv(report.results));
-  writeAtomically(folder / "speed.gp", speedScript(report.results));
   writeAtomically(folder / "stages.csv", stageCsv(report.stages));
   if (!report.waking.empty()) writeAtomically(folder / "waking.csv", wakeCsv(report.waking));
 }
@@ -165,7 +164,10 @@ int runSpeedBench(std::span<const std::string> arguments, char** argv) {
   SpeedReport report{buildText(joined(command, " "))};
   runAll(*options, report);
   fmt::print("{}", reportText(report));
-  runGnuplot(options->out, "speed.gp");
+  if (const std::string script = speedScript(report.results); !script.empty()) {
+    writeAtomically(options->out / "speed.gp", script);
+    runGnuplot(options->out, "speed.gp");
+  }
   fmt::print("Tables and plot: {}\n", options->out.string());
   return 0;
 }

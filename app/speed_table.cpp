@@ -106,6 +106,7 @@ std::string speedScript(std::span<const SpeedResult> results) {
       if (result.scene->scene == "T1" && row.row && row.method.contacts.empty() &&
           std::ranges::find(methods, name(row.method)) == methods.end())
         methods.push_back(name(row.method));
+  if (methods.empty()) return "";
   std::string script =
       "# Draws speed.png; in this folder: gnuplot speed.gp\n"
       "set terminal pngcairo size 1100,800 font 'DejaVu Sans,15' background 'white'\n"
