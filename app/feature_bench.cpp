@@ -75,32 +75,29 @@ struct PairedTimes {
   PairedRatio ratio() const { return pairedRatio(present, absent); }
 };
 
-/// Runs with and without the feature go side by side and step in turn, now one first, now the
-/// other: both meet the machine in the same moods.
+/// Of two, now one first, now the other.
+constexpr std::array<std::size_t, 2> inTurn(std::int64_t n) {
+  return n % 2 == 0 ? std::array<std::size_t, 2>{0, 1} : std::array<std::size_t, 2>{1, 0};
+}
+
+/// Runs without and with the feature step in turn, so that both meet the machine in the same moods.
 PairedTimes compare(const Feature& feature, const FeatureScene& scene, Presence presence,
                     const FeatureOptions& options) {
+  const std::array presences = {Presence::Absent, presence};
   PairedTimes times;
   for (std::int64_t round = 0; round < options.repeats; ++round) {
-    FeatureRun absent, present;
-    const auto make = [&](FeatureRun& run, Presence how) {
-      run = feature.make(scene.make(), how, options.out);
-    };
-    const bool isAbsentOlder = round % 2 == 0;  // what was made first lies elsewhere in memory
-    if (isAbsentOlder) make(absent, Presence::Absent);
-    make(present, presence);
-    if (!isAbsentOlder) make(absent, Presence::Absent);
-    double absentTime = 0;
-    double presentTime = 0;
-    for (std::int64_t step = -kWarmUp; step < options.steps; ++step) {
-      const bool isAbsentFirst = step % 2 == 0;
-      const double first = timeOfStep(isAbsentFirst ? absent : present);
-      const double second = timeOfStep(isAbsentFirst ? present : absent);
-      if (step < 0) continue;
-      absentTime += isAbsentFirst ? first : second;
-      presentTime += isAbsentFirst ? second : first;
-    }
-    times.absent.push_back(1e3 * absentTime / static_cast<double>(options.steps));
-    times.present.push_back(1e3 * presentTime / static_cast<double>(options.steps));
+    std::array<FeatureRun, 2> runs;
+    std::array<double, 2> time{};  // ms a step
+    // What is made first lies elsewhere in memory, what steps first finds other caches.
+    for (const std::size_t i : inTurn(round))
+      runs[i] = feature.make(scene.make(), presences[i], options.out);
+    for (std::int64_t step = -kWarmUp; step < options.steps; ++step)
+      for (const std::size_t i : inTurn(step)) {
+        const double taken = timeOfStep(runs[i]);
+        if (step >= 0) time[i] += 1e3 * taken / static_cast<double>(options.steps);
+      }
+    times.absent.push_back(time[0]);
+    times.present.push_back(time[1]);
   }
   return times;
 }

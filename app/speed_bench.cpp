@@ -117,6 +117,12 @@ struct SpeedReport {
 std::string reportText(const SpeedReport& report) {
   std::string text = report.head + "\n";
   for (const SpeedResult& result : report.results) text += speedText(result) + "\n";
+  text += fmt::format(
+      "kept: FAIL where two balls overlap by more than the bound, ground or wall by more than {} "
+      "m, "
+      "a ball has escaped, or contacts have added energy\n"
+      "B/ball: resident memory of engine and world a ball, where it was most\n\n",
+      kArenaBound);
   text += stageText(report.stages);
   if (!report.waking.empty())
     text +=

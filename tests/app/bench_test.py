@@ -131,7 +131,7 @@ class Bench(unittest.TestCase):
     def test_speed_leaves_out_what_it_has_no_time_for(self):
         folder = self.csv.parent / "speed"
         done = run("bench", "speed", "--scenes", "T1-25,T1-100000", "--repeats", 1, "--threads", 1,
-                   "--minutes", 0.5, "--out", folder)
+                   "--minutes", 0.2, "--out", folder)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn("T1-100000: left out", done.stdout)
         self.assertEqual({row["scene"] for row in self.read(folder / "speed.csv")}, {"T1-25"})
