@@ -18,7 +18,8 @@ constexpr SpeedMethod kTuned25[] = {{.contacts = "substep", .substeps = 2, .iter
 constexpr SpeedMethod kTuned1000[] = {{.substeps = 3, .iterations = 2}};
 constexpr SpeedMethod kTuned10000[] = {{.substeps = 3, .iterations = 2, .ballBound = 0.086},
                                        {.substeps = 4, .iterations = 2, .ballBound = 0.049}};
-constexpr SpeedMethod kTunedLarge[] = {{.substeps = 3, .iterations = 2}};
+constexpr SpeedMethod kTuned50000[] = {{.substeps = 3, .iterations = 2}};
+constexpr SpeedMethod kTuned100000[] = {{.substeps = 3, .iterations = 3}};
 
 // Bullet's balls fall asleep after 2 s, 120 steps: of T3 the last 100 steps count. Heaps of 50,000
 // balls and more take Bullet most of a second a step: within the first second of their time all
@@ -28,8 +29,8 @@ constexpr SpeedScene kScenes[] = {{"T1-25", "T1", 25, 300, 21, kAll, 2, kTuned25
                                   {"T3-10000", "T3", 10000, 300, 1, kLast, 5, {}},
                                   {"T2-10000", "T2", 10000, 300, 1, kAll, 12, {}},
                                   {"T1-10000", "T1", 10000, 300, 1, kAll, 50, kTuned10000},
-                                  {"T1-50000", "T1", 50000, 60, 1, kAll, 50, kTunedLarge},
-                                  {"T1-100000", "T1", 100000, 60, 1, kAll, 115, kTunedLarge}};
+                                  {"T1-50000", "T1", 50000, 60, 1, kAll, 50, kTuned50000},
+                                  {"T1-100000", "T1", 100000, 60, 1, kAll, 115, kTuned100000}};
 
 /// With more balls, only the default and the tuned settings: rounds are long.
 constexpr std::int64_t kMostForEachMethod = 10000;
