@@ -68,6 +68,38 @@ std::string csvLine(const SpeedResult& result, const SpeedRow& row) {
   return line + ',' + buildColumns() + '\n';
 }
 
+/// Rows of several scenes of T1 as one line of the plot.
+struct Curve {
+  std::string title;
+  std::string rows = "|";  // "|scene method|scene method|"
+};
+
+/// Empty: not drawn.
+std::string titleOf(const SpeedMethod& method) {
+  const bool isTuned = method.substeps > 0;
+  if (!isTuned) return method.contacts.empty() ? name(method) : "";
+  SpeedMethod plain;
+  plain.threads = method.threads;
+  return name(plain) + ", tuned";
+}
+
+std::vector<Curve> curvesOf(std::span<const SpeedResult> results) {
+  std::vector<Curve> curves;
+  for (const SpeedResult& result : results) {
+    std::vector<std::string> drawn = {""};  // what has no title is not
+    for (const SpeedRow& row : result.rows) {
+      const std::string title = titleOf(row.method);
+      const bool isFirst = std::ranges::find(drawn, title) == drawn.end();
+      if (result.scene->scene != "T1" || !row.row || !isFirst) continue;
+      drawn.push_back(title);
+      auto curve = std::ranges::find(curves, title, &Curve::title);
+      if (curve == curves.end()) curve = curves.insert(curve, {title});
+      curve->rows += fmt::format("{} {}|", result.scene->name, name(row.method));
+    }
+  }
+  return curves;
+}
+
 }  // namespace
 
 std::string speedText(const SpeedResult& result) {
@@ -100,13 +132,8 @@ std::string speedCsv(std::span<const SpeedResult> results) {
 }
 
 std::string speedScript(std::span<const SpeedResult> results) {
-  std::vector<std::string> methods;
-  for (const SpeedResult& result : results)
-    for (const SpeedRow& row : result.rows)
-      if (result.scene->scene == "T1" && row.row && row.method.contacts.empty() &&
-          std::ranges::find(methods, name(row.method)) == methods.end())
-        methods.push_back(name(row.method));
-  if (methods.empty()) return "";
+  const std::vector<Curve> curves = curvesOf(results);
+  if (curves.empty()) return "";
   std::string script =
       "# Draws speed.png; in this folder: gnuplot speed.gp\n"
       "set terminal pngcairo size 1100,800 font 'DejaVu Sans,15' background 'white'\n"
@@ -124,18 +151,18 @@ std::string speedScript(std::span<const SpeedResult> results) {
       "set key outside right top Left reverse spacing 1.3\n"
       "set arrow from 15,1000.0/60 to 160000,1000.0/60 nohead back lc rgb '#000000' lw 2 dt 2\n"
       "set label '60 Hz' at 18,1000.0/60 left offset 0,0.7\n"
-      "is(name) = strcol('scene')[1:2] eq 'T1' && strcol('method') eq name\n"
+      "isOne(rows) = strstrt(rows, '|' . strcol('scene') . ' ' . strcol('method') . '|') > 0\n"
       "plot";
   // Okabe and Ito's, which the colour-blind tell apart.
   const char* const colours[] = {"#000000", "#0072B2", "#D55E00", "#009E73",
                                  "#CC79A7", "#E69F00", "#56B4E9"};
   const int markers[] = {9, 7, 5, 11, 13, 4, 6};
-  for (std::size_t i = 0; i < methods.size(); ++i)
+  for (std::size_t i = 0; i < curves.size(); ++i)
     script += fmt::format(
-        "{} \\\n  'speed.csv' using (is('{}') ? column('balls') : NaN):'ms_per_step' with "
+        "{} \\\n  'speed.csv' using (isOne('{}') ? column('balls') : NaN):'ms_per_step' with "
         "linespoints lw 2 pt {} ps 1.4 lc rgb '{}' title '{}'",
-        i == 0 ? "" : ",", methods[i], markers[i % std::size(markers)],
-        colours[i % std::size(colours)], methods[i]);
+        i == 0 ? "" : ",", curves[i].rows, markers[i % std::size(markers)],
+        colours[i % std::size(colours)], curves[i].title);
   return script + "\n";
 }
 

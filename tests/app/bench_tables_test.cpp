@@ -154,8 +154,9 @@ TEST_F(SpeedTables, PassWhatKeepsEveryBound) {
 
 TEST_F(SpeedTables, PlotEachMethodThatRanAndTheLineOf60Hz) {
   const std::string script = speedScript(std::span(&result_, 1));
-  for (const char* part : {"title 'stock Bullet'", "title 'ours'", "title 'ours on 2 threads'",
-                           "1000.0/60", "set logscale xy"})
+  for (const char* part :
+       {"title 'stock Bullet'", "title 'ours'", "title 'ours on 2 threads'", "title 'ours, tuned'",
+        "'|T1-10000 ours 3x2|'", "1000.0/60", "set logscale xy"})
     EXPECT_NE(script.find(part), std::string::npos) << part;
 }
 
