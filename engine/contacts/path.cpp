@@ -111,6 +111,21 @@ std::pair<BallState, BallState> statesAt(const PathModel& model, const Path& a, 
   return {end(0, a.state.spin), end(1, b.state.spin)};
 }
 
+void endFlights(const PathModel& model, std::span<const Path> paths, double t,
+                std::span<std::uint32_t> flying, Balls& balls) {
+  const auto startOf = [&](std::uint32_t i) { return paths[i].start; };
+  if (!std::ranges::is_sorted(flying, {}, startOf)) std::ranges::sort(flying, {}, startOf);
+  for (const std::uint32_t i : flying) balls.setState(i, paths[i].state);
+  while (!flying.empty()) {
+    const double start = startOf(flying.front());
+    const auto next = std::ranges::find_if(flying, [&](auto i) { return startOf(i) != start; });
+    const auto count = static_cast<std::size_t>(next - flying.begin());
+    flyThrough(*model.integrator, {model.field, start, t - start, model.drag}, flying.first(count),
+               balls.position.data(), balls.velocity.data());
+    flying = flying.subspan(count);
+  }
+}
+
 double accelerationBound(const PathModel& model, const Path& path, const BallState& now, double t,
                          double duration) {
   if (path.motion == Motion::Resting) return 0;

@@ -5,7 +5,6 @@
 #include "contacts/held_motion.h"
 #include "contacts/impacts.h"
 #include "contacts/support.h"
-#include "world/advance.h"
 
 namespace wells {
 namespace {
@@ -54,25 +53,12 @@ void ExactFlight::endStep(const StepInput& in, std::span<const std::uint32_t> is
                           std::span<double> reach, Balls& balls) {
   flying_.clear();
   for (const std::uint32_t i : island) {
-    const Path& path = path_[i];
-    if (path.motion != Motion::Flying) {
-      balls.setState(i, stateAt(in.model, path, dt_));
-      continue;
-    }
-    balls.setState(i, path.state);
-    if (path.start < dt_) flying_.push_back(i);
+    if (path_[i].motion == Motion::Flying && path_[i].start < dt_)
+      flying_.push_back(i);
+    else
+      balls.setState(i, stateAt(in.model, path_[i], dt_));
   }
-  // Those that set out together fly together.
-  const auto startOf = [&](std::uint32_t i) { return path_[i].start; };
-  if (!std::ranges::is_sorted(flying_, {}, startOf)) std::ranges::sort(flying_, {}, startOf);
-  for (std::span<const std::uint32_t> left = flying_; !left.empty();) {
-    const double start = startOf(left.front());
-    const auto next = std::ranges::find_if(left, [&](auto i) { return startOf(i) != start; });
-    const auto count = static_cast<std::size_t>(next - left.begin());
-    flyThrough(*in.model.integrator, {in.model.field, start, dt_ - start, in.model.drag},
-               left.first(count), balls.position.data(), balls.velocity.data());
-    left = left.subspan(count);
-  }
+  endFlights(in.model, path_, dt_, flying_, balls);
   for (const std::uint32_t i : island) checkReach(in, i, dt_, balls, reach);
 }
 
@@ -117,8 +103,7 @@ void ExactFlight::takeHold(const StepInput& in, std::span<const std::uint32_t> i
   isInCluster_.resize(balls.size(), 0);
   for (const std::uint32_t i : island) {
     start_[i] = balls.state(i);
-    version_[i] = 0;
-    pairCount_[i] = 0;
+    version_[i] = pairCount_[i] = 0;
   }
   // The pairs of ball i are pairsOf_[firstPair_[i]] and the pairCount_[i] - 1 after it.
   for (const BallPair& pair : pairs) {
@@ -337,16 +322,13 @@ void ExactFlight::gatherCluster(const StepInput& in, std::span<const BallPair> p
     const auto [a, b] = pairs[p];
     inCluster_[p] = 1;
     cluster_.push_back({.a = a, .b = b});
-    const bool isAMissing = !isHere(a);
-    const bool isBMissing = isBall(b) && !isHere(b);
-    if (isAMissing && isBMissing) {
+    if (isBall(b) && !isHere(a) && !isHere(b)) {
       const auto [stateA, stateB] = statesAt(in.model, path_[a], path_[b], event.time);
       bring(a, stateA);
       bring(b, stateB);
-    } else if (isAMissing || isBMissing) {
-      const std::uint32_t missing = isAMissing ? a : b;
-      bring(missing, stateAt(in.model, path_[missing], event.time));
     }
+    for (const std::uint32_t i : {a, b})
+      if (isBall(i) && !isHere(i)) bring(i, stateAt(in.model, path_[i], event.time));
     touch(arena, balls, cluster_.back());
   };
   include(event.pair);
