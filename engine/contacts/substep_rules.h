@@ -33,7 +33,9 @@ inline constexpr int kPassesLossless = 256;
 inline constexpr double kNear = 0.01;
 
 /// Balls that would pass each other at more than this (of the sum of their radii) within a step
-/// will hardly touch in it: such pairs of a crowd are looked at, but not kept ready.
-inline constexpr double kFarGap = 0.05;
+/// will hardly touch in it: such pairs of a crowd are looked at, but not kept ready. Smaller: fewer
+/// are; but where a pair comes and goes, so does the order in which contacts are solved. With 0.05,
+/// 2 of 6 heaps of 250 balls in T1 never came to rest, with 0.1 none of 10.
+inline constexpr double kFarGap = 0.1;
 
 }  // namespace wells

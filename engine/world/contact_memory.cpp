@@ -1,6 +1,7 @@
 #include "world/contact_memory.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -53,7 +54,7 @@ void ContactMemory::arrange() {
   next_.resize(kept_.size());
   for (std::uint32_t n = 0; n < kept_.size(); ++n) {
     const std::uint32_t a = kept_[n].a;
-    if (a >= firstOf_.size()) firstOf_.resize(a + 1, kNone);
+    if (a >= firstOf_.size()) firstOf_.resize(std::bit_ceil(a + 1), kNone);
     next_[n] = std::exchange(firstOf_[a], n);
   }
 }

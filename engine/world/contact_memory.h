@@ -62,7 +62,7 @@ class ContactMemory {
 
   std::vector<Kept> kept_;
   // The contacts of each ball a, chained.
-  std::vector<std::uint32_t> firstOf_;  // by ball, up to the greatest
+  std::vector<std::uint32_t> firstOf_;  // by ball, and some more
   std::vector<std::uint32_t> next_;     // by contact
   double substep_ = 0;                  // s; 0: nothing is kept
 };

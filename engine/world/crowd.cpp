@@ -115,12 +115,12 @@ void Crowd::findContacts(const CrowdInput& in, ThreadPool& pool) {
   pairs_.find({in.pairs.begin(), arena}, island_, placeOf_, in.settings.dt, place_.data(),
               momentum_.data(), pool);
   batches_.split(pairs_.near(), {arena, in.pairs.end()}, placeOf_, threads_, pool);
-  lasting_.clear();
-  touchedIn_.clear();
   makeRoomForLasting();
+  std::ranges::fill(touchedIn_, kNever);
   startFrom(in.memory, pool);
 }
 
+// What has not touched yet lasts from nowhere, whatever stands there.
 void Crowd::makeRoomForLasting() {
   lasting_.resize(batches_.pairs().size());
   touchedIn_.resize(batches_.pairs().size(), kNever);
