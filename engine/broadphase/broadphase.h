@@ -40,6 +40,9 @@ class Broadphase {
   /// Of the last update, by (a, b), each once.
   const std::vector<BallPair>& ballPairs() const { return ballPairs_; }
 
+  /// Whether each of these pairs has a gap that is at most the sum of the reaches.
+  bool areNear() const { return spheres_ && spheres_->areNear(); }
+
   /// Appends balls of the last update, in no particular order: all that may come, within their
   /// reaches, to a place from low to high (m), and others.
   void findIn(const Vec3& low, const Vec3& high, std::vector<std::uint32_t>& found);

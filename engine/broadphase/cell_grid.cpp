@@ -33,8 +33,9 @@ constexpr double kFaceLoss = 1e-15;
 
 // Where more lie around a box, blocks of boxes are looked at instead.
 constexpr std::int64_t kMostCellsToLookAt = 1000;
+constexpr std::size_t kLeastRange = 8192;  // boxes, that a thread looks at
 // Partners that are made room for at a time, in slots.
-constexpr std::size_t kMostRoom = 1 << 16;
+constexpr std::size_t kMostRoom = 1 << 12;
 
 Vec3 centerOf(const btBroadphaseProxy& box) {
   Vec3 center;
@@ -71,6 +72,7 @@ struct AllBoxes {
   std::size_t size() const { return boxes.size(); }
   const btBroadphaseProxy& operator[](std::size_t i) const { return *boxes[i]; }
   static std::uint32_t numberOf(std::size_t i) { return static_cast<std::uint32_t>(i); }
+  const btBroadphaseProxy& withNumber(std::uint32_t number) const { return *boxes[number]; }
 };
 
 struct SomeSpheres {
@@ -79,35 +81,47 @@ struct SomeSpheres {
   std::size_t size() const { return among.size(); }
   const BoundSphere& operator[](std::size_t i) const { return spheres[among[i]]; }
   std::uint32_t numberOf(std::size_t i) const { return among[i]; }
+  const BoundSphere& withNumber(std::uint32_t number) const { return spheres[number]; }
 };
 
 }  // namespace
 
 void CellGrid::sort(std::span<btBroadphaseProxy* const> boxes) {
-  sortAll(AllBoxes{boxes});
+  ThreadPool alone;
+  sortAll(AllBoxes{boxes}, alone);
 }
 
-void CellGrid::sort(std::span<const BoundSphere> spheres, std::span<const std::uint32_t> among) {
-  sortAll(SomeSpheres{spheres, among});
+void CellGrid::sort(std::span<const BoundSphere> spheres, std::span<const std::uint32_t> among,
+                    ThreadPool& threads) {
+  sortAll(SomeSpheres{spheres, among}, threads);
 }
 
 template <class Boxes>
-void CellGrid::sortAll(const Boxes& boxes) {
+void CellGrid::sortAll(const Boxes& boxes, ThreadPool& threads) {
   layOut(boxes);
-  entries_.clear();
+  cellOfBox_.resize(boxes.size());
+  threads.forRanges(boxes.size(), kLeastRange,
+                    [&](std::size_t begin, std::size_t end, std::size_t) {
+                      for (std::size_t i = begin; i < end; ++i) cellOfBox_[i] = cellFor(boxes[i]);
+                    });
   large_.clear();
   start_.assign((std::size_t{1} << (bits_[0] + bits_[1] + bits_[2])) + 1, 0);
-  Entry entry{};
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    entry.box = boxes.numberOf(i);
-    if (!enter(boxes[i], entry)) {
-      large_.push_back(entry.box);
-      continue;
-    }
-    ++start_[entry.cell];
-    entries_.push_back(entry);
+    if (cellOfBox_[i] == kNoCell)
+      large_.push_back(boxes.numberOf(i));
+    else
+      ++start_[cellOfBox_[i]];
   }
-  fillSlots();
+  assignSlots(boxes);
+  const bool areSpheres = content_ == BoxContent::Spheres;
+  const std::size_t room = slots() + SortedBoxes::kRoom;
+  sorted_.content = content_;
+  for (auto* numbers : {&sorted_.x, &sorted_.y, &sorted_.z, &sorted_.halfX}) numbers->resize(room);
+  for (auto* numbers : {&sorted_.halfY, &sorted_.halfZ}) numbers->resize(areSpheres ? 0 : room);
+  threads.forRanges(slots(), kLeastRange, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t slot = begin; slot < end; ++slot)
+      fillSlot(boxes.withNumber(boxOf_[slot]), slot);
+  });
   blocks_.clear();
 }
 
@@ -166,61 +180,55 @@ std::int64_t CellGrid::numberOfCell(double x) const {
   return static_cast<std::int64_t>(x * inverseSize_ + kCellOffset);
 }
 
-/// False for one that is to be kept apart.
+/// kNoCell for one that is to be kept apart.
 template <class Box>
-bool CellGrid::enter(const Box& box, Entry& entry) const {
+std::uint32_t CellGrid::cellFor(const Box& box) const {
   const Vec3& center = centerOf(box);
-  double away = 0;
-  double fromOrigin = 0;
   std::uint32_t cell = 0;
   for (int k = 2; k >= 0; --k) {
     const double x = center[k] - anchor_[k];
-    if (!(std::abs(x) <= farthest_)) return false;
-    away = std::max(away, std::abs(x));
-    fromOrigin = std::max(fromOrigin, std::abs(center[k]));
-    entry.center[k] = static_cast<float>(x);
+    if (!(std::abs(x) <= farthest_) || !(2 * halfSizeOf(box, k) * (1 + kCellMargin) <= size_))
+      return kNoCell;
     cell =
         cell << bits_[k] | (static_cast<std::uint32_t>(numberOfCell(x)) & ((1u << bits_[k]) - 1));
   }
-  entry.cell = cell;
-  const double loss = kCoordinateLoss * away + kFaceLoss * fromOrigin;
-  const int sizes = content_ == BoxContent::Spheres ? 1 : 3;
-  for (int k = 0; k < sizes; ++k) {
-    const double half = halfSizeOf(box, k);
-    if (!(2 * half * (1 + kCellMargin) <= size_)) return false;
-    entry.half[k] = static_cast<float>((half + loss) * (1 + kSizeLoss));
-  }
-  return true;
+  return cell;
 }
 
-void CellGrid::fillSlots() {
+template <class Boxes>
+void CellGrid::assignSlots(const Boxes& boxes) {
   std::uint32_t sum = 0;
   for (std::uint32_t& start : start_) sum += std::exchange(start, sum);
-  const std::size_t count = entries_.size();
-  const bool areSpheres = content_ == BoxContent::Spheres;
-  sorted_.content = content_;
-  for (auto* numbers : {&sorted_.x, &sorted_.y, &sorted_.z, &sorted_.halfX})
-    numbers->resize(count + SortedBoxes::kRoom);
-  for (auto* numbers : {&sorted_.halfY, &sorted_.halfZ})
-    numbers->resize(areSpheres ? 0 : count + SortedBoxes::kRoom);
-  cellOf_.resize(count);
-  boxOf_.resize(count);
+  cellOf_.resize(sum);
+  boxOf_.resize(sum);
   // start_[cell] runs to the end of its cell, where the next one's was; then all go back.
-  for (const Entry& entry : entries_) {
-    const std::uint32_t slot = start_[entry.cell]++;
-    sorted_.x[slot] = entry.center[0];
-    sorted_.y[slot] = entry.center[1];
-    sorted_.z[slot] = entry.center[2];
-    sorted_.halfX[slot] = entry.half[0];
-    if (!areSpheres) {
-      sorted_.halfY[slot] = entry.half[1];
-      sorted_.halfZ[slot] = entry.half[2];
-    }
-    cellOf_[slot] = entry.cell;
-    boxOf_[slot] = entry.box;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const std::uint32_t cell = cellOfBox_[i];
+    if (cell == kNoCell) continue;
+    const std::uint32_t slot = start_[cell]++;
+    cellOf_[slot] = cell;
+    boxOf_[slot] = boxes.numberOf(i);
   }
   std::copy_backward(start_.begin(), start_.end() - 1, start_.end());
   start_[0] = 0;
+}
+
+template <class Box>
+void CellGrid::fillSlot(const Box& box, std::size_t slot) {
+  const Vec3& center = centerOf(box);
+  const std::array places{&sorted_.x, &sorted_.y, &sorted_.z};
+  double away = 0;
+  double fromOrigin = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double x = center[k] - anchor_[k];
+    away = std::max(away, std::abs(x));
+    fromOrigin = std::max(fromOrigin, std::abs(center[k]));
+    (*places[k])[slot] = static_cast<float>(x);
+  }
+  const double loss = kCoordinateLoss * away + kFaceLoss * fromOrigin;
+  const std::array halves{&sorted_.halfX, &sorted_.halfY, &sorted_.halfZ};
+  for (int k = 0; k < (content_ == BoxContent::Spheres ? 1 : 3); ++k)
+    (*halves[k])[slot] = static_cast<float>((halfSizeOf(box, k) + loss) * (1 + kSizeLoss));
 }
 
 /// Adds what lies in the cells x - 1, x and x + 1 of a row, all modulo the size of the grid.
@@ -277,7 +285,8 @@ void CellGrid::find(SlotRange range, FoundPartners& found) const {
     search.slots.begin = slot;
     search.slots.end = std::min({search.slots.end, range.end, slot + atOnce});
     const std::size_t count = search.slots.end - slot;
-    if (found.partners.size() < end + count * most) found.partners.resize(2 * (end + count * most));
+    if (found.partners.size() < end + count * most)
+      found.partners.resize(end + end / 4 + count * most);
     std::uint32_t* const ends = found.ends.data() + (slot - range.begin);
     findPartners(sorted_, search, end, ends, found.partners.data());
     end = ends[count - 1];

@@ -20,6 +20,7 @@
 
 #include "broadphase/overlap_search.h"
 #include "math/vector.h"
+#include "threads/thread_pool.h"
 
 namespace wells {
 
@@ -51,7 +52,8 @@ class CellGrid {
   /// Takes boxes as they are now. O(n).
   void sort(std::span<btBroadphaseProxy* const> boxes);
   /// Likewise the spheres with these numbers, all others are not there. O(among).
-  void sort(std::span<const BoundSphere> spheres, std::span<const std::uint32_t> among);
+  void sort(std::span<const BoundSphere> spheres, std::span<const std::uint32_t> among,
+            ThreadPool& threads);
 
   std::uint32_t slots() const { return static_cast<std::uint32_t>(boxOf_.size()); }
   /// By slot: the number of its box in the last sort().
@@ -69,10 +71,7 @@ class CellGrid {
   std::size_t cells() const { return start_.empty() ? 0 : start_.size() - 1; }
 
  private:
-  struct Entry {
-    std::array<float, 3> center, half;
-    std::uint32_t box, cell;
-  };
+  static constexpr std::uint32_t kNoCell = 0xffffffff;
   struct Block {
     std::array<float, 3> low, high;
   };
@@ -84,14 +83,17 @@ class CellGrid {
 
   // Boxes: numbered proxies or spheres, see there.
   template <class Boxes>
-  void sortAll(const Boxes& boxes);
+  void sortAll(const Boxes& boxes, ThreadPool& threads);
   template <class Boxes>
   void layOut(const Boxes& boxes);
   template <class Boxes>
   void choosePlace(const Boxes& boxes);
   template <class Box>
-  bool enter(const Box& box, Entry& entry) const;
-  void fillSlots();
+  std::uint32_t cellFor(const Box& box) const;
+  template <class Boxes>
+  void assignSlots(const Boxes& boxes);
+  template <class Box>
+  void fillSlot(const Box& box, std::size_t slot);
   void boundBlocks();
   void addRow(std::uint32_t x, std::uint32_t y, std::uint32_t z, CellSearch& search) const;
   CellSearch around(std::uint32_t cell) const;
@@ -112,7 +114,7 @@ class CellGrid {
   std::size_t placedFor_ = 0;            // boxes
   int sortsLeft_ = 0;                    // with this anchor and these bits
   // Of the last sort.
-  std::vector<Entry> entries_;
+  std::vector<std::uint32_t> cellOfBox_;       // in the order of the boxes
   std::vector<std::uint32_t> start_;           // by cell, of its slots
   std::vector<std::uint32_t> cellOf_, boxOf_;  // by slot
   std::vector<std::uint32_t> large_;

@@ -35,6 +35,7 @@ std::int64_t SpherePairs::update(const World& world, std::span<const double> rea
                                  std::vector<BallPair>& pairs) {
   if (areKnown(world, reach, among)) {
     ++stepsServed_;
+    areReaches_ = false;
     if (removed_ > 0)
       std::erase_if(pairs,
                     [&](const BallPair& pair) { return !isThere(pair.a) || !isThere(pair.b); });
@@ -75,10 +76,12 @@ bool SpherePairs::areKnown(const World& world, std::span<const double> reach,
 void SpherePairs::setSpheres(const World& world, std::span<const double> reach,
                              std::span<const std::uint32_t> among, std::size_t pairs) {
   const Balls& balls = world.balls;
-  const auto setAll = [&](double skinRadii, double skinTime) {
+  const double skinTime = kSkinSteps * world.settings.dt;
+  const auto setAll = [&](bool hasSkin) {
     double volume = 0;
     for (const std::uint32_t i : there_) {
-      const double skin = skinRadii * balls.radius[i] + skinTime * length(balls.velocity[i]);
+      const double skin =
+          hasSkin ? kSkin * balls.radius[i] + skinTime * length(balls.velocity[i]) : 0;
       const double radius = balls.radius[i] + reach[i] + skin;
       spheres_[i] = {balls.position[i], radius};
       volume += radius * radius * radius;
@@ -93,13 +96,15 @@ void SpherePairs::setSpheres(const World& world, std::span<const double> reach,
       spheres_[i].radius = kAbsent;
   }
   const double before = volume_;
-  if (nextHasSkin()) {
-    volume_ = setAll(kSkin, kSkinSteps * world.settings.dt);
+  areReaches_ = !nextHasSkin();
+  if (!areReaches_) {
+    volume_ = setAll(true);
     // About as many pairs a volume as there were.
     const double most = kMostPairsWithSkin * static_cast<double>(there_.size());
     if (static_cast<double>(pairs) * volume_ <= most * before) return;
   }
-  volume_ = setAll(0, 0);
+  areReaches_ = true;
+  volume_ = setAll(false);
 }
 
 /// Whether the list that is made next is to serve several steps.
@@ -113,7 +118,7 @@ bool SpherePairs::nextHasSkin() {
 }
 
 void SpherePairs::search(ThreadPool& threads) {
-  grid_.sort(spheres_, there_);
+  grid_.sort(spheres_, there_, threads);
   found_.resize((grid_.slots() + kRange - 1) / kRange);
   threads.forRanges(found_.size(), 1, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (auto n = static_cast<std::uint32_t>(begin); n < end; ++n)
@@ -122,13 +127,22 @@ void SpherePairs::search(ThreadPool& threads) {
   searchLarge();
 }
 
-/// Balls instead of slots, who are looked at twice.
+/// Of what the grid finds in single precision, those that overlap; balls instead of slots.
 void SpherePairs::findBalls(SlotRange range, FoundPartners& found) const {
   grid_.find(range, found);
   const std::uint32_t* const ball = grid_.boxOf().data();
-  if (found.ends.empty()) return;
-  for (std::uint32_t& partner : std::span(found.partners).first(found.ends.back()))
-    partner = ball[partner];
+  std::uint32_t from = 0;
+  std::uint32_t count = 0;
+  for (std::uint32_t slot = range.begin; slot < range.end; ++slot) {
+    const BoundSphere& sphere = spheres_[ball[slot]];
+    std::uint32_t& end = found.ends[slot - range.begin];
+    for (; from < end; ++from) {
+      const std::uint32_t partner = ball[found.partners[from]];
+      found.partners[count] = partner;
+      count += overlap(sphere, spheres_[partner]) ? 1 : 0;
+    }
+    end = count;
+  }
 }
 
 void SpherePairs::searchLarge() {

@@ -24,6 +24,9 @@ class SpherePairs {
                       std::span<const std::uint32_t> among, ThreadPool& threads,
                       std::vector<BallPair>& pairs);
 
+  /// As Broadphase::areNear() has it.
+  bool areNear() const { return areReaches_; }
+
   void remove(std::span<const std::uint32_t> balls);
 
   /// As Broadphase::findIn() has it.
@@ -44,6 +47,7 @@ class SpherePairs {
   void list(ThreadPool& threads, std::vector<BallPair>& pairs);
 
   std::vector<BoundSphere> spheres_;  // by ball
+  bool areReaches_ = false;           // of the last update, no larger
   std::size_t removed_ = 0;           // since the pairs were listed
   int stepsServed_ = 0;               // by the present list
   int listsWithoutSkin_ = 0;          // that are to follow

@@ -55,12 +55,14 @@ void Candidates::find(const World& world, std::span<const double> reach,
   leaningPairs_.clear();
   areFew_ = among.size() <= FewSpheres::kMost && world.roles.empty() &&
             world.settings.broadphase == BroadphaseKind::Auto;
+  areBroadphases_ = false;
   if (areFew_) return findAmongFew(world, reach, among);
   broadphase_.update(world, reach, among, &threads);
-  if (world.roles.empty())
-    findBalls(threads);
-  else
+  areBroadphases_ = world.roles.empty() && broadphase_.areNear();
+  if (!world.roles.empty())
     findBallsAndLeaning(world);
+  else if (!areBroadphases_)
+    findBalls(threads);
   findArena(world, reach, among, threads);
 }
 

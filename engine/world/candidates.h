@@ -40,7 +40,9 @@ class Candidates {
 
   // Of the last find(), all by (a, b), each once.
 
-  std::span<const BallPair> ballPairs() const { return ballPairs_; }
+  std::span<const BallPair> ballPairs() const {
+    return areBroadphases_ ? broadphase_.ballPairs() : ballPairs_;
+  }
   /// b is kGround or kWall.
   std::span<const BallPair> arenaPairs() const { return arenaPairs_; }
   /// Ghosts that touch ghosts or nearly do; see isLeaning().
@@ -80,6 +82,7 @@ class Candidates {
 
   Broadphase broadphase_;
   bool areFew_ = false;
+  bool areBroadphases_ = false;  // the pairs of balls: all of its pairs are near
   std::vector<BallPair> ballPairs_;
   std::vector<BallPair> arenaPairs_;
   std::vector<BallPair> leaningPairs_;

@@ -7,8 +7,7 @@
 namespace wells {
 namespace {
 
-constexpr double kLateOverlap = 1e-6;  // of the sum of radii
-constexpr std::int64_t kNoStep = -2;
+constexpr double kLateOverlap = 1e-6;       // of the sum of radii
 constexpr std::size_t kLeastRange = 16384;  // pairs, that a thread looks at
 
 }  // namespace
@@ -16,7 +15,8 @@ constexpr std::size_t kLeastRange = 16384;  // pairs, that a thread looks at
 std::int64_t LatePairs::count(const World& world, std::span<const BallPair> pairs,
                               std::span<const BallState> start,
                               std::span<const std::uint32_t> awake, ThreadPool& threads) {
-  lastStep_.resize(world.balls.size(), kNoStep);
+  tookPart_.resize(world.balls.size(), 0);
+  if (step_ + 1 != world.step) std::ranges::fill(tookPart_, std::uint8_t{0});
   std::array<std::int64_t, kMostThreads> late{};
   threads.forRanges(pairs.size(), kLeastRange,
                     [&](std::size_t begin, std::size_t end, std::size_t range) {
@@ -24,7 +24,9 @@ std::int64_t LatePairs::count(const World& world, std::span<const BallPair> pair
                     });
   before_.resize(pairs.size());
   std::ranges::copy(pairs, before_.begin());
-  for (const std::uint32_t i : awake) lastStep_[i] = world.step;
+  std::ranges::fill(tookPart_, std::uint8_t{0});
+  for (const std::uint32_t i : awake) tookPart_[i] = 1;
+  step_ = world.step;
   return std::accumulate(late.begin(), late.end(), std::int64_t{0});
 }
 
@@ -51,9 +53,8 @@ bool LatePairs::isLate(const World& world, const BallPair& pair,
                        std::span<const BallState> start) const {
   const auto [a, b] = pair;
   const double most = (1 - kLateOverlap) * (world.balls.radius[a] + world.balls.radius[b]);
-  return squaredLength(start[b].position - start[a].position) < most * most &&
-         lastStep_[a] + 1 == world.step && lastStep_[b] + 1 == world.step && world.owns(a) &&
-         world.owns(b);
+  return squaredLength(start[b].position - start[a].position) < most * most && tookPart_[a] &&
+         tookPart_[b] && world.owns(a) && world.owns(b);
 }
 
 }  // namespace wells

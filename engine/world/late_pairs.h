@@ -28,7 +28,8 @@ class LatePairs {
   bool isLate(const World& world, const BallPair& pair, std::span<const BallState> start) const;
 
   std::vector<BallPair> before_;        // those of the step before
-  std::vector<std::int64_t> lastStep_;  // by ball, in which it took part
+  std::vector<std::uint8_t> tookPart_;  // by ball, in that step
+  std::int64_t step_ = -2;              // its number
 };
 
 }  // namespace wells
