@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "child_process.h"
+#include "errors.h"
 #include "text_file.h"
 #include "values.h"
 
@@ -12,6 +13,8 @@ namespace wells {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr double kLongest = 3600;  // s
 
 /// As csvField() writes them: quoted where they hold commas or quotes.
 std::vector<std::string> splitRow(const std::string& row) {
@@ -56,16 +59,16 @@ double BenchRow::number(const std::string& column) const try {
   throw RunError(fmt::format("{}: {}={}: {}", file_.string(), column, text(column), bad.what()));
 }
 
-BenchRow runBenchChild(std::span<const std::string> arguments, const fs::path& folder,
-                       double limit) {
+BenchRow runBenchChild(std::span<const std::string> arguments, const fs::path& folder) {
   const fs::path row = folder / ".bench.csv";
   const fs::path log = folder / ".bench.log";
   fs::remove(row);
   std::vector<std::string> all = {"bench", "--csv", row.string()};
   all.insert(all.end(), arguments.begin(), arguments.end());
   ChildProcess process(all, log);
-  const std::optional<int> status = process.wait(limit);
-  if (!status) throw TooSlow(fmt::format("{}: not done after {:.0f} s", joined(all, " "), limit));
+  const std::optional<int> status = process.wait(kLongest);
+  if (!status)
+    throw RunError(fmt::format("{}: not done after {:.0f} s", joined(all, " "), kLongest));
   if (*status != 0)
     throw RunError(fmt::format("{}: ended with status {}; it said:\n{}", joined(all, " "), *status,
                                joined(readLines(log), "\n")));

@@ -7,8 +7,6 @@
 #include <span>
 #include <string>
 
-#include "errors.h"
-
 namespace wells {
 
 /// The row of a CSV file by column name.
@@ -26,15 +24,8 @@ class BenchRow {
   std::map<std::string, std::string> cells_;
 };
 
-/// A benchmark that was not done in the time that it had, and was ended.
-class TooSlow : public RunError {
- public:
-  using RunError::RunError;
-};
-
 /// Runs "bench" with these arguments and returns its row. `folder` is for files in between. Throws
-/// RunError when it fails, TooSlow after `limit` (s).
-BenchRow runBenchChild(std::span<const std::string> arguments, const std::filesystem::path& folder,
-                       double limit = 3600);
+/// RunError when it fails, or is not done within an hour.
+BenchRow runBenchChild(std::span<const std::string> arguments, const std::filesystem::path& folder);
 
 }  // namespace wells

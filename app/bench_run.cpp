@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "bench_row.h"
+#include "memory_growth.h"
 
 namespace wells {
 namespace {
@@ -24,26 +24,20 @@ double meanMilliseconds(std::span<const Clock::duration> times) {
   return std::chrono::duration<double, std::milli>(sum).count() / static_cast<double>(times.size());
 }
 
-/// Of this program alone: rusage counts what the process was before exec(), too.
-double peakRssMiB() {
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);)
-    if (line.starts_with("VmHWM:")) return std::stod(line.substr(6)) / 1024;  // Linux counts KiB
-  return 0;
-}
-
 }  // namespace
 
-BenchResult benchmark(Stepper& stepper, World world, std::int64_t steps, BenchFrom from,
+BenchResult benchmark(Stepper& stepper, const World& start, std::int64_t steps, BenchFrom from,
                       const std::function<void(std::int64_t)>& progress) {
   BenchResult result;
-  result.balls = world.balls.size();
-  result.dt = world.settings.dt;
+  result.balls = start.balls.size();
+  result.dt = start.settings.dt;
   result.steps = steps;
-  result.start = measure(world);
-  if (from != BenchFrom::Start) result.rest.emplace(world);
+  result.start = measure(start);
+  if (from != BenchFrom::Start) result.rest.emplace(start);
   std::vector<Clock::duration> times;
   times.reserve(static_cast<std::size_t>(steps));
+  const MemoryGrowth memory;
+  World world = start;
   Clock::time_point reported = Clock::now();
   for (std::int64_t step = 0; step < steps; ++step) {
     const auto before = Clock::now();
@@ -57,6 +51,7 @@ BenchResult benchmark(Stepper& stepper, World world, std::int64_t steps, BenchFr
       reported = after;
     }
   }
+  if (from == BenchFrom::Start) result.memory = memory.most();
   const std::size_t last = std::min(times.size(), kLastSteps);
   result.msPerStep = meanMilliseconds(times);
   result.msPerStepLast100 = meanMilliseconds(std::span(times).last(last));
@@ -65,7 +60,6 @@ BenchResult benchmark(Stepper& stepper, World world, std::int64_t steps, BenchFr
   result.engine = stepper.name();
   result.integrator = stepper.integrator();
   result.contacts = stepper.contactMethod();
-  result.peakRss = peakRssMiB();
   result.stateHash = stateHash(world);
   return result;
 }
@@ -86,7 +80,7 @@ std::string csvHeader() {
       "max_overlap_m,ball_overlap_m,ground_overlap_m,wall_overlap_m,energy_start_J,energy_end_J,"
       "kinetic_start_J,kinetic_end_J,escaped,settled_s,"
       "moved_m,"
-      "kinetic_rise_J,asleep,{},peak_rss_MiB,state_hash,{}",
+      "kinetic_rise_J,asleep,{},memory_MiB,state_hash,{}",
       kStepColumns, kBuildColumns);
 }
 
@@ -94,7 +88,7 @@ std::string csvRow(const BenchResult& r) {
   return fmt::format(
       "{},{},{},{},{},{:.17g},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.17g},{:.17g},{:."
       "6g},{:.6g},{},{},{},"
-      "{},{:.1f},{},{}",
+      "{},{},{},{}",
       r.scene, r.engine, csvField(r.integrator), csvField(r.contacts), r.balls, r.dt, r.steps,
       r.threads, r.msPerStep, r.msPerStepLast100, r.end.worstOverlap(), r.end.ballOverlap,
       r.end.groundOverlap, r.end.wallOverlap, r.start.energy(), r.end.energy(),
@@ -102,7 +96,8 @@ std::string csvRow(const BenchResult& r) {
       r.rest ? fmt::format("{:.6g},{:.6g},{:.6g}", r.rest->settledAt(), r.rest->moved(),
                            r.rest->kineticRise())
              : ",,",
-      r.asleep, stepColumns(r.shares, r.books), r.peakRss, hashText(r.stateHash), buildColumns());
+      r.asleep, stepColumns(r.shares, r.books), r.memory ? fmt::format("{:.6g}", *r.memory) : "",
+      hashText(r.stateHash), buildColumns());
 }
 
 }  // namespace wells

@@ -32,14 +32,16 @@ struct BenchResult {
   std::optional<RestWatch> rest;  // unless from the start
   ContactShares shares;
   std::optional<Books> books;  // of a run of its own; nothing where the engine keeps none
-  double peakRss = 0;          // MiB, of the whole process
+  /// MiB of resident memory, by which the steps made the process grow at most: the engine and the
+  /// world that it steps. Only from the start: else the engine holds most of it before.
+  std::optional<double> memory;
   std::uint64_t stateHash = 0;
 };
 
-/// Steps `world` and measures before and after; nothing but the steps is timed. Unless from the
-/// start, watches what still moves. `progress` is called with the number of steps done, about ten
-/// times a second at most.
-BenchResult benchmark(Stepper& stepper, World world, std::int64_t steps, BenchFrom from,
+/// Steps a copy of `start` and measures before and after; nothing but the steps is timed. Unless
+/// from the start, watches what still moves. `progress` is called with the number of steps done,
+/// about ten times a second at most.
+BenchResult benchmark(Stepper& stepper, const World& start, std::int64_t steps, BenchFrom from,
                       const std::function<void(std::int64_t)>& progress);
 
 /// Steps the same world again with another stepper that keeps books, so that keeping them is not in

@@ -27,7 +27,7 @@ constexpr int kWarmUp = 5;  // steps, in which memory is taken
 struct FeatureOptions {
   std::vector<std::string> features;
   std::int64_t repeats = 11;
-  std::int64_t steps = 30;
+  std::int64_t steps = 100;
   fs::path out = "out/features";
 };
 
@@ -36,16 +36,18 @@ std::optional<FeatureOptions> parse(std::span<const std::string> arguments) {
   for (const Feature& feature : features()) names.emplace_back(feature.name);
   CLI::App app{
       fmt::format(
-          "What each feature costs a step: a world without it, with it but nothing that uses it, "
-          "and with it in use, in turn. A feature that is there and not used is free when it makes "
-          "the median step at most {} times as long; so much noise is left on a quiet machine. "
-          "Writes features.csv and features.txt.",
+          "What each feature costs a step: a world without it beside one that has it but nothing "
+          "that uses it, and beside one that uses it. A feature that is there and not used is free "
+          "when it makes the median step at most {} times as long; so much noise is left on a "
+          "quiet "
+          "machine, and the feature \"nothing\" shows how much there is now. Writes features.csv "
+          "and features.txt.",
           kMostUnused),
       "./run.sh bench features"};
   FeatureOptions options;
   addChoice(app, "--features", options.features, names, "default: all, " + joined(names, ", "));
   addInteger(app, "--repeats", options.repeats, 1, 1000, "rounds; medians count (default 11)");
-  addInteger(app, "--steps", options.steps, 1, 10'000, "that are timed in a round (default 30)");
+  addInteger(app, "--steps", options.steps, 1, 10'000, "that are timed in a round (default 100)");
   addPath(app, "--out", options.out, "FOLDER", "for all files (default out/features)");
   if (parseArguments(app, arguments) == Parsed::HelpShown) return {};
   return options;
@@ -58,71 +60,99 @@ double threadTime() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// ms a step.
-double timeOf(const FeatureRun& run, std::int64_t steps) {
-  double time = 0;
-  for (std::int64_t step = -kWarmUp; step < steps; ++step) {
-    if (run.meanwhile) run.meanwhile();
-    const double before = threadTime();
-    run.step();
-    if (step >= 0) time += threadTime() - before;
+/// s, of a step.
+double timeOfStep(const FeatureRun& run) {
+  if (run.meanwhile) run.meanwhile();
+  const double before = threadTime();
+  run.step();
+  return threadTime() - before;
+}
+
+struct PairedTimes {
+  std::vector<double> absent;  // ms a step, by round
+  std::vector<double> present;
+
+  PairedRatio ratio() const { return pairedRatio(present, absent); }
+};
+
+/// Of two, now one first, now the other.
+constexpr std::array<std::size_t, 2> inTurn(std::int64_t n) {
+  return n % 2 == 0 ? std::array<std::size_t, 2>{0, 1} : std::array<std::size_t, 2>{1, 0};
+}
+
+/// Runs without and with the feature step in turn, so that both meet the machine in the same moods.
+PairedTimes compare(const Feature& feature, const FeatureScene& scene, Presence presence,
+                    const FeatureOptions& options) {
+  const std::array presences = {Presence::Absent, presence};
+  PairedTimes times;
+  for (std::int64_t round = 0; round < options.repeats; ++round) {
+    std::array<FeatureRun, 2> runs;
+    std::array<double, 2> time{};  // ms a step
+    // What is made first lies elsewhere in memory, what steps first finds other caches.
+    for (const std::size_t i : inTurn(round))
+      runs[i] = feature.make(scene.make(), presences[i], options.out);
+    for (std::int64_t step = -kWarmUp; step < options.steps; ++step)
+      for (const std::size_t i : inTurn(step)) {
+        const double taken = timeOfStep(runs[i]);
+        if (step >= 0) time[i] += 1e3 * taken / static_cast<double>(options.steps);
+      }
+    times.absent.push_back(time[0]);
+    times.present.push_back(time[1]);
   }
-  return 1e3 * time / static_cast<double>(steps);
+  return times;
 }
 
 FeatureRow measureFeature(const Feature& feature, const FeatureOptions& options) {
-  const MakeFeatureRun busy = feature.makeBusy ? feature.makeBusy : feature.make;
-  std::vector<double> absent, unused, busyAbsent, used;
-  const auto time = [&](MakeFeatureRun make, Presence presence, std::vector<double>& times) {
-    times.push_back(timeOf(make(presence, options.out), options.steps));
-  };
-  for (std::int64_t round = 0; round < options.repeats; ++round) {
-    time(feature.make, Presence::Absent, absent);
-    time(feature.make, Presence::Unused, unused);
-    if (feature.makeBusy) time(busy, Presence::Absent, busyAbsent);
-    time(busy, Presence::Used, used);
-  }
-  if (!feature.makeBusy) busyAbsent = absent;
-  return {.feature = feature.name,
-          .scene = feature.scene,
-          .unusedIs = feature.unused,
-          .absent = median(absent),
-          .unused = pairedRatio(unused, absent),
-          .busyScene = feature.makeBusy ? feature.busyScene : feature.scene,
-          .usedIs = feature.used,
-          .busyAbsent = median(busyAbsent),
-          .used = pairedRatio(used, busyAbsent)};
+  FeatureRow row{.feature = feature.name,
+                 .unusedIs = feature.unused,
+                 .scene = feature.scene.name,
+                 .usedIs = feature.used,
+                 .usedScene = feature.usedIn.name};
+  if (!feature.unused.empty())
+    row.unused = compare(feature, feature.scene, Presence::Unused, options).ratio();
+  const PairedTimes used = compare(feature, feature.usedIn, Presence::Used, options);
+  row.absent = median(used.absent);
+  row.used = used.ratio();
+  return row;
 }
 
 std::string range(const PairedRatio& ratio) {
   return fmt::format("{:.3f} ({:.3f}..{:.3f})", ratio.median, ratio.least, ratio.most);
 }
 
+std::string columns(const PairedRatio& ratio) {
+  return fmt::format("{:.5g},{:.5g},{:.5g}", ratio.median, ratio.least, ratio.most);
+}
+
+std::string_view verdict(const FeatureRow& row) {
+  if (!row.unused) return "";
+  return row.isFree() ? "pass" : "FAIL";
+}
+
 }  // namespace
 
 std::string featureText(std::span<const FeatureRow> rows) {
-  std::string text =
-      fmt::format("{:<18} {:<18} {:>9}  {:<27} {:>21} {:<5} {:<28} {:>24}\n", "feature", "scene",
-                  "ms absent", "there, not used", "unused / absent", "", "used", "used / absent");
+  std::string text = fmt::format("{:<18} {:<27} {:<18} {:>21} {:<5} {:<28} {:<18} {:>9} {:>22}\n",
+                                 "feature", "there, not used", "in", "unused / absent", "", "used",
+                                 "in", "ms absent", "used / absent");
   for (const FeatureRow& row : rows)
-    text += fmt::format("{:<18} {:<18} {:>9.4g}  {:<27} {:>21} {:<5} {:<28} {:>24}\n", row.feature,
-                        row.scene, row.absent, row.unusedIs, range(row.unused),
-                        row.isFree() ? "pass" : "FAIL", row.usedIs, range(row.used));
+    text += fmt::format("{:<18} {:<27} {:<18} {:>21} {:<5} {:<28} {:<18} {:>9.4g} {:>22}\n",
+                        row.feature, row.unused ? row.unusedIs : "-", row.unused ? row.scene : "-",
+                        row.unused ? range(*row.unused) : "-", verdict(row), row.usedIs,
+                        row.usedScene, row.absent, range(row.used));
   return text;
 }
 
 std::string featureCsv(std::span<const FeatureRow> rows) {
   std::string csv = fmt::format(
-      "feature,scene,absent_ms,unused_is,unused_to_absent,unused_least,unused_most,verdict,"
-      "busy_scene,busy_absent_ms,used_is,used_to_absent,used_least,used_most,{}\n",
+      "feature,unused_is,scene,unused_to_absent,unused_least,unused_most,verdict,used_is,"
+      "used_scene,absent_ms,used_to_absent,used_least,used_most,{}\n",
       kBuildColumns);
   for (const FeatureRow& row : rows)
-    csv += fmt::format(
-        "{},{},{:.6g},{},{:.5g},{:.5g},{:.5g},{},{},{:.6g},{},{:.5g},{:.5g},{:.5g},{}\n",
-        csvField(row.feature), csvField(row.scene), row.absent, csvField(row.unusedIs),
-        row.unused.median, row.unused.least, row.unused.most, row.isFree() ? "pass" : "fail",
-        csvField(row.busyScene), row.busyAbsent, csvField(row.usedIs), row.used.median,
-        row.used.least, row.used.most, buildColumns());
+    csv += fmt::format("{},{},{},{},{},{},{},{:.6g},{},{}\n", csvField(row.feature),
+                       csvField(row.unusedIs), csvField(row.scene),
+                       row.unused ? columns(*row.unused) : ",,", verdict(row), csvField(row.usedIs),
+                       csvField(row.usedScene), row.absent, columns(row.used), buildColumns());
   return csv;
 }
 

@@ -2,6 +2,7 @@
 // not use it, or uses it.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,16 +17,15 @@ inline constexpr double kMostUnused = 1.02;
 
 struct FeatureRow {
   std::string_view feature;
-  std::string_view scene;
   std::string_view unusedIs;
-  double absent = 0;  // ms a step, median
-  PairedRatio unused{};
-  std::string_view busyScene;
+  std::string_view scene;
+  std::optional<PairedRatio> unused = {};  // over absent; nothing: it cannot be there unused
   std::string_view usedIs;
-  double busyAbsent = 0;  // ms a step, median
-  PairedRatio used{};
+  std::string_view usedScene;
+  double absent = 0;   // ms a step there, median
+  PairedRatio used{};  // over absent
 
-  bool isFree() const { return unused.median <= kMostUnused; }
+  bool isFree() const { return unused && unused->median <= kMostUnused; }
 };
 
 std::string featureText(std::span<const FeatureRow> rows);

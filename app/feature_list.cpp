@@ -22,12 +22,6 @@ World scene(const char* name, std::size_t balls) {
   return world;
 }
 
-FeatureRun engineOn(World start) {
-  const auto world = std::make_shared<World>(std::move(start));
-  const std::shared_ptr<Stepper> stepper = makeEngine("ours");
-  return {.step = [world, stepper] { stepper->step(*world); }};
-}
-
 /// Balls that have come down and lie on each other, about the wells.
 World heap() {
   static const World settled = [] {
@@ -51,55 +45,58 @@ World gas() {
   return scene("T2", 2000);
 }
 
-FeatureRun frictionUnused(Presence presence, const fs::path&) {
-  World world = falling();
-  world.settings.friction = presence == Presence::Absent ? 0 : 0.3;
-  return engineOn(std::move(world));
+/// A layer at rest.
+World layer() {
+  return scene("T3", 1000);
 }
 
-FeatureRun frictionUsed(Presence presence, const fs::path&) {
-  World world = heap();
-  if (presence == Presence::Absent) world.settings.friction = 0;
-  return engineOn(std::move(world));
+constexpr FeatureScene kHeap = {"T1, 1,000, heaped", heap};
+constexpr FeatureScene kFalling = {"T1, 1,000, falling", falling};
+constexpr FeatureScene kGas = {"T2, 2,000", gas};
+constexpr FeatureScene kLayer = {"T3, 1,000, at rest", layer};
+
+FeatureRun engineOn(World start) {
+  const auto world = std::make_shared<World>(std::move(start));
+  const std::shared_ptr<Stepper> stepper = makeEngine("ours");
+  return {.step = [world, stepper] { stepper->step(*world); }};
 }
 
-FeatureRun rollingUnused(Presence presence, const fs::path&) {
-  World world = falling();
-  if (presence != Presence::Absent) world.settings.rollingResistance = 0.01;
-  return engineOn(std::move(world));
+/// The same world each time: what the ratios differ by is noise.
+FeatureRun nothing(World start, Presence, const fs::path&) {
+  return engineOn(std::move(start));
 }
 
-FeatureRun rollingUsed(Presence presence, const fs::path&) {
-  World world = heap();
-  if (presence != Presence::Absent) world.settings.rollingResistance = 0.01;
-  return engineOn(std::move(world));
+FeatureRun friction(World start, Presence presence, const fs::path&) {
+  start.settings.friction = presence == Presence::Absent ? 0 : 0.3;
+  return engineOn(std::move(start));
 }
 
-FeatureRun fourWells(Presence presence, const fs::path&) {
-  World world = heap();
-  if (presence == Presence::Absent) world.tracks.clear();
+FeatureRun rolling(World start, Presence presence, const fs::path&) {
+  if (presence != Presence::Absent) start.settings.rollingResistance = 0.01;
+  return engineOn(std::move(start));
+}
+
+FeatureRun fourWells(World start, Presence presence, const fs::path&) {
+  if (presence == Presence::Absent) start.tracks.clear();
   if (presence == Presence::Unused)
-    for (WellTrack& track : world.tracks)
+    for (WellTrack& track : start.tracks)
       for (WellKeyframe& key : track.keyframes) key.strength = 0;
-  return engineOn(std::move(world));
+  return engineOn(std::move(start));
 }
 
-FeatureRun drag(Presence presence, const fs::path&) {
-  World world = heap();
-  world.settings.drag = presence == Presence::Used ? 0.9 : 1;
-  return engineOn(std::move(world));
+FeatureRun drag(World start, Presence presence, const fs::path&) {
+  start.settings.drag = presence == Presence::Used ? 0.9 : 1;
+  return engineOn(std::move(start));
 }
 
-FeatureRun gravity(Presence presence, const fs::path&) {
-  World world = gas();
-  world.settings.gravity = {0, presence == Presence::Used ? -9.81 : 0, 0};
-  return engineOn(std::move(world));
+FeatureRun gravity(World start, Presence presence, const fs::path&) {
+  start.settings.gravity = {0, presence == Presence::Used ? -9.81 : 0, 0};
+  return engineOn(std::move(start));
 }
 
 /// The last ball is alone, high up.
-FeatureRun unequalBalls(Presence presence, const fs::path&) {
-  World world = heap();
-  Balls& balls = world.balls;
+FeatureRun unequalBalls(World start, Presence presence, const fs::path&) {
+  Balls& balls = start.balls;
   balls.position.back().y() += 100;
   if (presence == Presence::Unused) {
     balls.radius.back() = 0.6;
@@ -111,66 +108,54 @@ FeatureRun unequalBalls(Presence presence, const fs::path&) {
       balls.radius[i] *= random.uniform(0.9, 1);
       balls.mass[i] *= random.uniform(0.5, 1);
     }
-  return engineOn(std::move(world));
+  return engineOn(std::move(start));
 }
 
-FeatureRun sleepUnused(Presence presence, const fs::path&) {
-  World world = heap();
-  if (presence != Presence::Absent) world.settings.sleepSpeed = Settings{}.sleepSpeed;
-  return engineOn(std::move(world));
-}
-
-/// A layer in which all have rested for a second.
-FeatureRun sleepUsed(Presence presence, const fs::path&) {
-  World world = scene("T3", 1000);
-  if (presence != Presence::Absent) world.settings.sleepSpeed = Settings{}.sleepSpeed;
-  FeatureRun run = engineOn(std::move(world));
+/// After a second, in which all of a layer have come to rest.
+FeatureRun sleep(World start, Presence presence, const fs::path&) {
+  if (presence != Presence::Absent) start.settings.sleepSpeed = Settings{}.sleepSpeed;
+  FeatureRun run = engineOn(std::move(start));
   for (int step = 0; step < 60; ++step) run.step();
   return run;
 }
 
-FeatureRun ghosts(Presence presence, const fs::path&) {
-  World world = gas();
-  if (presence != Presence::Absent) world.roles.resize(world.balls.size(), Role::Owned);
+FeatureRun ghosts(World start, Presence presence, const fs::path&) {
+  if (presence != Presence::Absent) start.roles.resize(start.balls.size(), Role::Owned);
   if (presence == Presence::Used)
-    for (std::size_t i = 0; i < world.roles.size(); i += 2) world.roles[i] = Role::Ghost;
-  return engineOn(std::move(world));
+    for (std::size_t i = 0; i < start.roles.size(); i += 2) start.roles[i] = Role::Ghost;
+  return engineOn(std::move(start));
 }
 
-FeatureRun recording(Presence presence, const fs::path&) {
-  if (presence == Presence::Absent) return engineOn(heap());
-  return recordedRun(heap(), presence == Presence::Used ? Recording::All : Recording::None);
+FeatureRun recording(World start, Presence presence, const fs::path&) {
+  if (presence == Presence::Absent) return engineOn(std::move(start));
+  return recordedRun(std::move(start),
+                     presence == Presence::Used ? Recording::All : Recording::None);
 }
 
-FeatureRun pictures(Presence presence, const fs::path& folder) {
-  if (presence == Presence::Absent) return recordedRun(heap(), Recording::None);
-  return watchedRun(heap(), presence == Presence::Used ? 30 : 1e-3, folder);
+FeatureRun pictures(World start, Presence presence, const fs::path& folder) {
+  if (presence == Presence::Absent) return recordedRun(std::move(start), Recording::None);
+  return watchedRun(std::move(start), presence == Presence::Used ? 30 : 1e-3, folder);
 }
 
-FeatureRun session(Presence presence, const fs::path&) {
-  if (presence == Presence::Absent) return engineOn(gas());
-  if (presence == Presence::Unused) return recordedRun(gas(), Recording::None);
-  return sessionRun(gas(), 2);
+FeatureRun session(World start, Presence presence, const fs::path&) {
+  if (presence == Presence::Absent) return engineOn(std::move(start));
+  if (presence == Presence::Unused) return recordedRun(std::move(start), Recording::None);
+  return sessionRun(start, 2);
 }
-
-constexpr std::string_view kHeap = "T1, 1,000, heaped";
-constexpr std::string_view kFalling = "T1, 1,000, falling";
-constexpr std::string_view kGas = "T2, 2,000";
 
 constexpr Feature kFeatures[] = {
-    {"friction", kFalling, "nothing touches", frictionUnused, "in a heap", frictionUsed, kHeap},
-    {"rolling resistance", kFalling, "nothing touches", rollingUnused, "in a heap", rollingUsed,
-     kHeap},
-    {"wells", kHeap, "four of strength 0", fourWells, "four"},
-    {"drag", kHeap, "factor 1", drag, "factor 0.9 a second"},
-    {"gravity", kGas, "0 m/s^2", gravity, "9.81 m/s^2"},
-    {"unequal balls", kHeap, "one, alone", unequalBalls, "radii and masses at random"},
-    {"sleep", kHeap, "nobody rests", sleepUnused, "all of a layer sleep", sleepUsed,
-     "T3, 1,000, at rest"},
-    {"ghosts", kGas, "roles, all owned", ghosts, "every second ball"},
-    {"books and measures", kHeap, "a recorder that nobody asks", recording, "in each step"},
-    {"view", kHeap, "a context, no frame due", pictures, "30 frames a simulated second"},
-    {"session", kGas, "a peer that is alone", session, "of two peers"},
+    {"nothing", nothing, "the same again", kHeap, "the same again", kHeap},
+    {"friction", friction, "nothing touches", kFalling, "in a heap", kHeap},
+    {"rolling resistance", rolling, "nothing touches", kFalling, "in a heap", kHeap},
+    {"wells", fourWells, "four of strength 0", kHeap, "four", kHeap},
+    {"drag", drag, "", kHeap, "factor 0.9 a second", kHeap},
+    {"gravity", gravity, "", kGas, "9.81 m/s^2", kGas},
+    {"unequal balls", unequalBalls, "one, alone", kHeap, "radii and masses at random", kHeap},
+    {"sleep", sleep, "nobody rests", kHeap, "all of a layer sleep", kLayer},
+    {"ghosts", ghosts, "roles, all owned", kGas, "every second ball", kGas},
+    {"books and measures", recording, "a recorder that nobody asks", kHeap, "in each step", kHeap},
+    {"view", pictures, "a context, no frame due", kHeap, "30 frames a simulated second", kHeap},
+    {"session", session, "a peer that is alone", kGas, "of two peers", kGas},
 };
 
 }  // namespace

@@ -3,21 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace wells {
 namespace {
 
-constexpr double kLongestTrial = 20;      // s, of a method that may never end
-constexpr std::int64_t kWeighed = 10000;  // balls: fewer vanish in what a process takes anyway
-constexpr double kMiB = 1024 * 1024;      // bytes
+constexpr std::int64_t kFewestWeighed = 10000;  // balls
+constexpr double kMiB = 1024 * 1024;            // bytes
 
-bool keeps(const BenchRow& row, double ballBound) {
-  return row.number("ball_overlap_m") <= ballBound &&
-         row.number("ground_overlap_m") <= kArenaOverlapBound &&
-         row.number("wall_overlap_m") <= kArenaOverlapBound && row.number("escaped") == 0 &&
-         row.number("contacts_J") <= 0;
-}
+/// Of a world's energy, in a step: what sums of so many numbers are rounded by.
+constexpr double kRounding = 1e-12;
 
 }  // namespace
 
@@ -34,124 +30,82 @@ std::optional<PairedRatio> timesOneThread(const SpeedResult& result, const Speed
   return pairedRatio(found->times, row.times);
 }
 
-double SpeedTimer::elapsed() const {
-  return std::chrono::duration<double>(Clock::now() - start_).count();
+std::optional<double> ballBytes(const SpeedResult& result, const SpeedRow& row) {
+  if (result.scene->balls < kFewestWeighed) return {};
+  return row.row->number("memory_MiB") * kMiB / static_cast<double>(result.scene->balls);
 }
 
-double SpeedTimer::left() const {
-  return minutes_ * 60 - elapsed();
+double ballBound(const SpeedResult& result, const SpeedRow& row) {
+  if (row.method.ballBound) return *row.method.ballBound;
+  return result.rows.front().row->number("ball_overlap_m");
 }
 
-double SpeedTimer::scaled(double share) const {
-  return share * minutes_ / kFullMinutes;
+bool keepsBounds(const SpeedResult& result, const SpeedRow& row) {
+  const BenchRow& r = *row.row;
+  const double energy =
+      std::max(std::abs(r.number("energy_start_J")), std::abs(r.number("energy_end_J")));
+  return r.number("ball_overlap_m") <= ballBound(result, row) &&
+         r.number("ground_overlap_m") <= kArenaBound && r.number("wall_overlap_m") <= kArenaBound &&
+         r.number("escaped") == 0 &&
+         r.number("contacts_J") <= kRounding * energy * static_cast<double>(result.steps);
 }
 
 SpeedRunner::SpeedRunner(const SpeedOptions& options,
                          std::function<void(const std::string&)> progress)
-    : options_(options), progress_(std::move(progress)), timer_(options.minutes) {}
+    : options_(options), progress_(std::move(progress)) {}
 
-SpeedResult SpeedRunner::run(const SpeedScene& scene) {
-  const double start = timer_.elapsed();
-  SpeedResult result{&scene, stepsOf(scene), options_.repeats, {}};
+SpeedResult SpeedRunner::begin(const SpeedScene& scene) const {
+  const std::int64_t steps = options_.steps > 0 ? options_.steps : scene.steps;
+  SpeedResult result{&scene, steps, options_.repeats, {}};
   for (const SpeedMethod& method : speedMethods(scene, options_.threads))
     result.rows.push_back({method});
-  if (isHeap(scene))
-    for (const SpeedMethod& method : chosen())
-      for (const std::int64_t threads : options_.threads) {
-        SpeedMethod threaded = method;
-        threaded.threads = threads;
-        result.rows.push_back({threaded});
-      }
-  double longest = 0;  // s, of a round
-  for (std::int64_t round = 0; round < options_.repeats; ++round) {
-    const double roundStart = timer_.elapsed();
-    const bool isLate = roundStart + longest > start + timer_.scaled(scene.share);
-    if (round > 0 && (isLate || longest > timer_.left())) break;
-    for (SpeedRow& row : result.rows) {
-      progress_(fmt::format("{}, round {} of up to {}, {}; {:.0f} s, at most {:.0f} s left",
-                            scene.name, round + 1, options_.repeats, name(row.method),
-                            timer_.elapsed(), std::max(0.0, timer_.left())));
-      addToRound(scene, row);
-    }
-    longest = std::max(longest, timer_.elapsed() - roundStart);
-  }
   return result;
 }
 
-BenchRow SpeedRunner::runOnce(const SpeedScene& scene, const SpeedMethod& method, Books books,
-                              double limit) {
-  std::vector<std::string> words = arguments(method);
+double SpeedRunner::elapsed() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+double SpeedRunner::left() const {
+  return options_.minutes * 60 - elapsed();
+}
+
+double SpeedRunner::planned(const SpeedResult& result) const {
+  const SpeedScene& scene = *result.scene;
+  return scene.roundTime * static_cast<double>(result.steps) / static_cast<double>(scene.steps);
+}
+
+bool SpeedRunner::hasTimeFor(const SpeedResult& result) const {
+  if (result.rounds() > 0) return result.roundTime <= left();
+  const double pace = plannedTime_ > 0 ? spentTime_ / plannedTime_ : 1;
+  return pace * planned(result) <= left();
+}
+
+void SpeedRunner::addRound(SpeedResult& result) {
+  const double start = elapsed();
+  for (SpeedRow& row : result.rows) {
+    progress_(fmt::format("{}, round {} of up to {}, {}; {:.0f} s, at most {:.0f} s left",
+                          result.scene->name, row.times.size() + 1, options_.repeats,
+                          name(row.method), elapsed(), std::max(0.0, left())));
+    addToRound(result, row);
+  }
+  const double time = elapsed() - start;
+  result.roundTime = std::max(result.roundTime, time);
+  if (result.rounds() > 1) return;
+  plannedTime_ += planned(result);
+  spentTime_ += time;
+}
+
+void SpeedRunner::addToRound(const SpeedResult& result, SpeedRow& row) {
+  const SpeedScene& scene = *result.scene;
+  std::vector<std::string> words = arguments(row.method);
   words.insert(words.end(),
                {"--scene", std::string(scene.scene), "--balls", std::to_string(scene.balls),
-                "--steps", std::to_string(stepsOf(scene)), "--runs", std::to_string(scene.runs)});
-  if (books == Books::None) words.emplace_back("--no-books");
-  return runBenchChild(words, options_.out, limit);
-}
-
-void SpeedRunner::addToRound(const SpeedScene& scene, SpeedRow& row) {
-  if (!row.note.empty()) return;
-  const SpeedMethod& method = row.method;
-  const bool isFirst = !row.row;
-  const Books books = isFirst && !method.isBullet() ? Books::Kept : Books::None;
-  const auto once = [&] {
-    BenchRow measured = runOnce(scene, method, books, method.mayNotEnd() ? kLongestTrial : 3600);
-    row.times.push_back(measured.number(std::string(scene.column)));
-    if (!isFirst) return;
-    row.row = std::move(measured);
-    findMemory(scene, row);
-  };
-  if (!method.mayNotEnd()) return once();
-  try {
-    once();
-  } catch (const TooSlow&) {
-    row.note = fmt::format("not done in {:.0f} s", kLongestTrial);
-  } catch (const RunError&) {
-    row.note = "gave up";
-  }
-}
-
-const std::vector<SpeedMethod>& SpeedRunner::chosen() {
-  if (!chosen_) chosen_ = choose();
-  return *chosen_;
-}
-
-std::vector<SpeedMethod> SpeedRunner::choose() {
-  const SpeedScene& scene = findSpeedScene(kChoosingScene);
-  struct Trial {
-    SpeedMethod method;
-    BenchRow row;
-  };
-  std::vector<Trial> trials;
-  for (const SolverSettings& settings : kTriedSettings) {
-    SpeedMethod method;
-    method.substeps = settings.substeps;
-    method.iterations = settings.iterations;
-    progress_(fmt::format("{}, which solver settings keep the bounds on overlap: {}; {:.0f} s",
-                          scene.name, name(method), timer_.elapsed()));
-    trials.push_back({method, runOnce(scene, method, Books::Kept, 3600)});
-  }
-  std::ranges::stable_sort(trials, {},
-                           [](const Trial& trial) { return trial.row.number("ms_per_step"); });
-  std::vector<SpeedMethod> chosen;
-  for (const OverlapBound& bound : kOverlapBounds) {
-    const auto found = std::ranges::find_if(
-        trials, [&](const Trial& trial) { return keeps(trial.row, bound.ball); });
-    if (found != trials.end() && std::ranges::find(chosen, found->method) == chosen.end())
-      chosen.push_back(found->method);
-  }
-  return chosen;
-}
-
-double SpeedRunner::emptyProcess(const std::string& engine) {
-  const std::vector<std::string> words = {"--engine", engine, "--scene",   "bounce",
-                                          "--steps",  "1",    "--no-books"};
-  return runBenchChild(words, options_.out).number("peak_rss_MiB");
-}
-
-void SpeedRunner::findMemory(const SpeedScene& scene, SpeedRow& row) {
-  if (scene.balls < kWeighed) return;
-  const double more = row.row->number("peak_rss_MiB") - emptyProcess(row.method.engine);
-  row.ballBytes = more * kMiB / static_cast<double>(scene.balls);
+                "--steps", std::to_string(result.steps), "--runs", std::to_string(scene.runs)});
+  if (row.row) words.emplace_back("--no-books");
+  BenchRow measured = runBenchChild(words, options_.out);
+  row.times.push_back(measured.number(std::string(scene.column)));
+  if (!row.row) row.row = std::move(measured);
 }
 
 }  // namespace wells

@@ -1,5 +1,5 @@
-// Runs a scene of the benchmark "speed": all methods in turn, each in a process of its own, round
-// after round for as long as the scene has time.
+// Runs the scenes of the benchmark "speed" a round at a time: all methods in turn, each in a
+// process of its own.
 #pragma once
 
 #include <chrono>
@@ -18,17 +18,17 @@ namespace wells {
 /// What was measured with one method.
 struct SpeedRow {
   SpeedMethod method;
-  std::vector<double> times = {};        // ms a step, by round
-  std::optional<BenchRow> row = {};      // of the first round: physics is the same in all
-  std::string note = {};                 // why there is no more
-  std::optional<double> ballBytes = {};  // of memory, a ball
+  std::vector<double> times = {};    // ms a step, by round
+  std::optional<BenchRow> row = {};  // of the first round: physics is the same in all
 };
 
+/// A scene and what was measured on it so far.
 struct SpeedResult {
   const SpeedScene* scene;
   std::int64_t steps;
   std::int64_t wantedRounds;
   std::vector<SpeedRow> rows;  // stock Bullet first
+  double roundTime = 0;        // s, the longest so far
 
   std::int64_t rounds() const { return static_cast<std::int64_t>(rows.front().times.size()); }
 };
@@ -39,64 +39,53 @@ PairedRatio timesBullet(const SpeedResult& result, const SpeedRow& row);
 /// The time with one thread over that of `row`, likewise. Nothing for rows of one thread.
 std::optional<PairedRatio> timesOneThread(const SpeedResult& result, const SpeedRow& row);
 
-/// How the whole goes on, and when it must end.
-class SpeedTimer {
- public:
-  /// `minutes` for a plan that takes kFullMinutes: shares shrink or grow with it.
-  explicit SpeedTimer(double minutes) : minutes_(minutes) {}
+/// Bytes a ball, of its memory column. Nothing for few balls, of which an engine's buffers hide how
+/// much they take.
+std::optional<double> ballBytes(const SpeedResult& result, const SpeedRow& row);
 
-  double elapsed() const;  // s
-  double left() const;     // s
-  /// s, of a scene's share.
-  double scaled(double share) const;
+/// m, the overlap of two balls that `row` may not exceed.
+double ballBound(const SpeedResult& result, const SpeedRow& row);
+inline constexpr double kArenaBound = 0.012;  // m, of overlap with ground and wall
 
- private:
-  using Clock = std::chrono::steady_clock;
-  double minutes_;
-  Clock::time_point start_ = Clock::now();
-};
-
-inline constexpr double kFullMinutes = 12;
+/// Whether `row`, of ours, keeps both bounds, lets nobody escape, and its contacts add no energy
+/// beyond rounding.
+bool keepsBounds(const SpeedResult& result, const SpeedRow& row);
 
 struct SpeedOptions {
   std::vector<std::string> scenes;
   std::vector<std::int64_t> threads = {1, 2};
   std::int64_t repeats = 5;
   std::int64_t steps = 0;  // 0: the scenes' windows
-  double minutes = kFullMinutes;
+  double minutes = 25;
   std::filesystem::path out = "out/speed";
 };
 
 class SpeedRunner {
  public:
+  /// The time of `options` begins now.
   SpeedRunner(const SpeedOptions& options, std::function<void(const std::string&)> progress);
 
-  /// All rounds of a scene. Throws RunError.
-  SpeedResult run(const SpeedScene& scene);
+  /// Nothing measured yet.
+  SpeedResult begin(const SpeedScene& scene) const;
 
-  /// For each of kOverlapBounds the solver's settings that keep it soonest, as far as any of
-  /// kTriedSettings does. The first call tries them all.
-  const std::vector<SpeedMethod>& chosen();
+  /// Whether a further round of it will be done in time.
+  bool hasTimeFor(const SpeedResult& result) const;
 
-  bool isOutOfTime() const { return timer_.left() <= 0; }
+  /// All methods once. Throws RunError.
+  void addRound(SpeedResult& result);
 
  private:
-  enum class Books { Kept, None };
+  double elapsed() const;                           // s
+  double left() const;                              // s
+  double planned(const SpeedResult& result) const;  // s, of a round
 
-  std::int64_t stepsOf(const SpeedScene& scene) const {
-    return options_.steps > 0 ? options_.steps : scene.steps;
-  }
-  BenchRow runOnce(const SpeedScene& scene, const SpeedMethod& method, Books books, double limit);
-  std::vector<SpeedMethod> choose();
-  void addToRound(const SpeedScene& scene, SpeedRow& row);
-  /// MiB, of a process with one ball.
-  double emptyProcess(const std::string& engine);
-  void findMemory(const SpeedScene& scene, SpeedRow& row);
+  void addToRound(const SpeedResult& result, SpeedRow& row);
 
   const SpeedOptions& options_;
   std::function<void(const std::string&)> progress_;
-  SpeedTimer timer_;
-  std::optional<std::vector<SpeedMethod>> chosen_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double plannedTime_ = 0;  // s, of the first rounds so far
+  double spentTime_ = 0;    // s, what they took
 };
 
 }  // namespace wells

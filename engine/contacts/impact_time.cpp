@@ -13,11 +13,13 @@ namespace {
 // takes the most, about a thousand. What is not decided then is for the solver of lasting contacts.
 constexpr int kMostLooks = 5000;
 
-/// A gap at one time: its value (m), its closing speed (m/s) and by how much that can grow (m/s^2).
+/// A gap at one time: its value (m), its closing speed (m/s), and by how much that can grow and
+/// shrink (m/s^2).
 struct GapNow {
   double gap;
   double closing;
   double growth;
+  double decline;
 };
 
 /// The longest time in which a gap >= gap - closing s - growth s^2 / 2 stays open; infinite if it
@@ -27,6 +29,11 @@ double safeTime(const GapNow& now) {
   if (now.closing > 0) return 2 * now.gap / (now.closing + root);
   if (now.growth == 0) return std::numeric_limits<double>::infinity();
   return (root - now.closing) / now.growth;
+}
+
+/// True where the gap still closes after a safeTime(), and is then at most `closed`.
+bool landsAfter(double safe, const GapNow& now, double closed) {
+  return now.decline * safe < now.closing && (now.growth + now.decline) * safe * safe / 2 <= closed;
 }
 
 /// Follows gapAt(t, end), whose bounds hold from t to end, from `from` to `until`; `closed` is the
@@ -53,6 +60,7 @@ Encounter follow(GapAt gapAt, double closed, double stretch, double from, double
       look = 0;
       continue;
     }
+    if (landsAfter(step, now, closed)) return {Meeting::Impact, t + step};
     if (t + step == t) return {now.closing > 0 ? Meeting::Impact : Meeting::Sustained, t};
     t += step;
   }
@@ -85,9 +93,9 @@ double horizontal(const Vec3& v) {
 
 /// Of a ball that is pulled by no more than `bound` (m/s^2) besides gravity.
 GapNow gapToGround(const PathModel& model, const BallState& ball, double radius, double bound) {
+  const double pull = std::abs(model.field->gravity.y()) + bound;
   return {groundGap(*model.arena, ball.position, radius),
-          withoutNoise(-ball.velocity.y(), length(ball.velocity)),
-          std::abs(model.field->gravity.y()) + bound};
+          withoutNoise(-ball.velocity.y(), length(ball.velocity)), pull, pull};
 }
 
 double closedAtGround(const Arena& arena, const BallState& ball, double radius) {
@@ -105,7 +113,7 @@ GapNow gapToWall(const PathModel& model, const BallState& ball, double radius, d
   return {reach * reach - p.x() * p.x() - p.z() * p.z(),
           2 * withoutNoise(p.x() * ball.velocity.x() + p.z() * ball.velocity.z(),
                            reach * length(ball.velocity)),
-          2 * (fastest * fastest + reach * pull)};
+          2 * (fastest * fastest + reach * pull), 2 * reach * pull};
 }
 
 double closedAtWall(const Arena& arena, double radius) {
@@ -117,38 +125,67 @@ GapNow gapOfBalls(const BallState& a, double radiusA, const BallState& b, double
   const Vec3 d = b.position - a.position;
   const double distance = length(d);
   // Coincident centres: as deep as can be, and nowhere to go.
-  if (distance == 0) return {-radiusA - radiusB, 0, 1};
+  if (distance == 0) return {-radiusA - radiusB, 0, 1, 1};
+  const double speeds = length(a.velocity) + length(b.velocity);
   return {distance - radiusA - radiusB,
-          withoutNoise(dot(a.velocity - b.velocity, d) / distance,
-                       length(a.velocity) + length(b.velocity)),
-          bound};
+          withoutNoise(dot(a.velocity - b.velocity, d) / distance, speeds), bound,
+          bound + speeds * speeds / distance};
 }
 
 double closedOfBalls(const BallState& a, double radiusA, const BallState& b, double radiusB) {
   return kClosedGap * (length(a.position) + length(b.position) + radiusA + radiusB);
 }
 
+/// A bound that holds from a first look on, up to one horizon.
+class LastingBound {
+ public:
+  template <class Compute>
+  double until(double horizon, Compute compute) {
+    if (horizon != horizon_) {
+      bound_ = compute();
+      horizon_ = horizon;
+    }
+    return bound_;
+  }
+
+ private:
+  double horizon_ = -1;  // s; none yet
+  double bound_ = 0;
+};
+
 Encounter encounterWithGround(const PathModel& model, const Path& ball, double from, double until) {
+  LastingBound bound;
   const auto gapAt = [&](double t, double end) {
     const BallState now = stateAt(model, ball, t);
-    return gapToGround(model, now, ball.radius, accelerationBound(model, ball, now, t, end - t));
+    return gapToGround(model, now, ball.radius, bound.until(end, [&] {
+      return accelerationBound(model, ball, now, t, end - t);
+    }));
   };
   const double closed = closedAtGround(*model.arena, ball.state, ball.radius);
   return followFromContact(gapAt, closed, model.field->stretch, from, until);
 }
 
 Encounter encounterWithWall(const PathModel& model, const Path& ball, double from, double until) {
+  LastingBound bound;
   const auto gapAt = [&](double t, double end) {
     const BallState now = stateAt(model, ball, t);
-    return gapToWall(model, now, ball.radius, accelerationBound(model, ball, now, t, end - t),
-                     end - t);
+    const double pull =
+        bound.until(end, [&] { return accelerationBound(model, ball, now, t, end - t); });
+    return gapToWall(model, now, ball.radius, pull, end - t);
   };
   const double closed = closedAtWall(*model.arena, ball.radius);
   return followFromContact(gapAt, closed, model.field->stretch, from, until);
 }
 
+/// What no gap is less than falls ever faster: it is least at one of the ends.
 bool staysOpen(const GapNow& now, double closed, double duration) {
-  return now.gap > closed && safeTime(now) > duration;
+  return now.gap > closed && now.gap > (now.closing + now.growth * duration / 2) * duration;
+}
+
+/// m, of its coordinates; no less, without a root.
+double sizeBound(const BallState& ball, double radius) {
+  const Vec3& at = ball.position;
+  return std::abs(at.x()) + std::abs(at.y()) + std::abs(at.z()) + radius;
 }
 
 /// Where a ball in flight would be at time t if only gravity pulled it.
@@ -164,11 +201,12 @@ BallState ballistic(const PathModel& model, const Path& path, double t) {
 
 Encounter encounterOfBalls(const PathModel& model, const Path& a, const Path& b, double from,
                            double until) {
+  LastingBound bound;
   const auto gapAt = [&](double t, double end) {
-    const BallState nowA = stateAt(model, a, t);
-    const BallState nowB = stateAt(model, b, t);
-    return gapOfBalls(nowA, a.radius, nowB, b.radius,
-                      approachBound(model, a, nowA, b, nowB, t, end - t));
+    const std::pair now = statesAt(model, a, b, t);
+    return gapOfBalls(now.first, a.radius, now.second, b.radius, bound.until(end, [&] {
+      return approachBound(model, a, now.first, b, now.second, t, end - t);
+    }));
   };
   const double closed = closedOfBalls(a.state, a.radius, b.state, b.radius);
   return follow(gapAt, closed, model.field->stretch, from, until);
@@ -182,18 +220,22 @@ Encounter encounterWithArena(const PathModel& model, const Path& ball, std::uint
                             : encounterWithWall(model, ball, from, until);
 }
 
-// With r the relative position of the two parabolas, of which each ball is at most
-// pull (t - start)^2 / 2 away: |r| falls no faster than uniform motion makes it.
+// From one parabola to the other it is a straight line; each ball is at most pull t^2 / 2 away from
+// its own.
 bool stayApart(const PathModel& model, const Flyer& a, const Flyer& b, double from, double until) {
-  const double afterA = from - a.path->start;
-  const double afterB = from - b.path->start;
   const BallState nowA = ballistic(model, *a.path, from);
   const BallState nowB = ballistic(model, *b.path, from);
-  GapNow now = gapOfBalls(nowA, a.path->radius, nowB, b.path->radius, a.pull + b.pull);
-  now.gap -= (a.pull * afterA * afterA + b.pull * afterB * afterB) / 2;
-  now.closing += a.pull * afterA + b.pull * afterB;
-  const double closed = closedOfBalls(nowA, a.path->radius, nowB, b.path->radius);
-  return staysOpen(now, closed, until - from);
+  const Vec3 across = nowB.position - nowA.position;
+  const Vec3 passing = nowB.velocity - nowA.velocity;
+  const double speed2 = squaredLength(passing);
+  const double nearest =
+      speed2 > 0 ? std::clamp(-dot(across, passing) / speed2, 0.0, until - from) : 0;
+  const double lastA = until - a.path->start;
+  const double lastB = until - b.path->start;
+  const double bound =
+      a.path->radius + b.path->radius + (a.pull * lastA * lastA + b.pull * lastB * lastB) / 2 +
+      kClosedGap * (sizeBound(nowA, a.path->radius) + sizeBound(nowB, b.path->radius));
+  return squaredLength(across + nearest * passing) > bound * bound;
 }
 
 double leastGap(const PathModel& model, const Flyer& ball, double t, const Vec3& position,

@@ -6,6 +6,14 @@
 namespace wells {
 namespace {
 
+// The tangent plane has one mass: a tangent impulse of 1 changes the slip by so much more than a
+// normal one changes the closing speed.
+constexpr double kTangent = 1 + kSpinFactor;
+
+double squared(double x) {
+  return x * x;
+}
+
 Vec3 shortenedTo(double limit, const Vec3& v) {
   const double squared = squaredLength(v);
   return squared > limit * limit ? Vec3(limit / std::sqrt(squared) * v) : v;
@@ -21,11 +29,10 @@ void IslandPasses::solve(const Settings& settings, std::span<Contact* const> isl
                          double solved, Balls& balls, const Ledger& ledger) {
   take(settings, island, balls);
   double changed = std::numeric_limits<double>::infinity();
-  for (int pass = 0; pass < most && changed > solved; ++pass) {
+  for (int pass = 0; pass < most && changed > solved * solved; ++pass) {
     changed = 0;
     for (Row& row : rows_) {
-      changed = std::max(changed, solveNormal(row));
-      if (settings.friction > 0) changed = std::max(changed, solveTangent(settings.friction, row));
+      changed = std::max(changed, solvePush(settings.friction, row));
       if (settings.rollingResistance > 0)
         changed = std::max(changed, solveRolling(settings.rollingResistance, row));
     }
@@ -61,43 +68,40 @@ void IslandPasses::take(const Settings& settings, std::span<Contact* const> isla
         const Body& body = bodies_[i];
         turning += kSpinFactor * body.inverseMass * body.inverseRadius * body.inverseRadius;
       }
-    rows_.push_back({c, a, b, c->normal, 1 / inverse, inverse, c->bounceSpeed, turning,
+    const double mass = 1 / inverse;
+    rows_.push_back({c, a, b, c->normal, mass, inverse, mass / kTangent, c->bounceSpeed, turning,
                      c->normalImpulse, c->tangentImpulse, c->rollingImpulse});
   }
 }
 
-double IslandPasses::solveNormal(Row& row) {
+// The normal impulse first, which bounds friction and changes nothing across the normal: so both
+// are found from the same velocities.
+double IslandPasses::solvePush(double friction, Row& row) {
   Body& a = bodies_[row.a];
   Body& b = bodies_[row.b];
-  const double closing = dot(a.velocity - b.velocity, row.normal);
-  const double total =
+  const Vec3 passing = a.velocity - b.velocity;
+  const double closing = dot(passing, row.normal);
+  const double normalImpulse =
       std::max(0.0, row.normalImpulse + row.normalMass * (closing + row.bounceSpeed));
-  const double change = total - row.normalImpulse;
-  row.normalImpulse = total;
-  const Vec3 impulse = change * row.normal;
-  a.velocity -= a.inverseMass * impulse;
-  b.velocity += b.inverseMass * impulse;
-  return std::abs(change) * row.inverseNormalMass;
-}
-
-double IslandPasses::solveTangent(double friction, Row& row) {
-  // The tangent plane has one mass: a tangent impulse of 1 changes the slip by so much more than a
-  // normal one changes the closing speed.
-  constexpr double kTangent = 1 + kSpinFactor;
-  Body& a = bodies_[row.a];
-  Body& b = bodies_[row.b];
-  const Vec3 slip =
-      across(a.velocity - b.velocity + cross(a.surface + b.surface, row.normal), row.normal);
-  const Vec3 total = shortenedTo(friction * row.normalImpulse,
-                                 row.tangentImpulse - (row.normalMass / kTangent) * slip);
-  const Vec3 change = total - row.tangentImpulse;
-  row.tangentImpulse = total;
-  const Vec3 torque = kSpinFactor * cross(row.normal, change);
-  a.velocity += a.inverseMass * change;
-  b.velocity -= b.inverseMass * change;
-  a.surface += a.inverseMass * torque;
-  b.surface += b.inverseMass * torque;
-  return length(change) * (kTangent * row.inverseNormalMass);
+  const double pressed = normalImpulse - row.normalImpulse;
+  row.normalImpulse = normalImpulse;
+  Vec3 impulse = -pressed * row.normal;
+  double changed = squared(pressed * row.inverseNormalMass);
+  if (friction > 0) {
+    const Vec3 slip = passing - closing * row.normal + cross(a.surface + b.surface, row.normal);
+    const Vec3 tangentImpulse =
+        shortenedTo(friction * normalImpulse, row.tangentImpulse - row.tangentMass * slip);
+    const Vec3 rubbed = tangentImpulse - row.tangentImpulse;
+    row.tangentImpulse = tangentImpulse;
+    impulse += rubbed;
+    const Vec3 torque = kSpinFactor * cross(row.normal, rubbed);
+    a.surface += a.inverseMass * torque;
+    if (row.b != kArena) b.surface += b.inverseMass * torque;
+    changed = std::max(changed, squaredLength(rubbed) * squared(kTangent * row.inverseNormalMass));
+  }
+  a.velocity += a.inverseMass * impulse;
+  if (row.b != kArena) b.velocity -= b.inverseMass * impulse;
+  return changed;
 }
 
 // Not within an impact: what the normal force of an instant does to the rolling is not modelled.
@@ -113,7 +117,7 @@ double IslandPasses::solveRolling(double resistance, Row& row) {
   row.rollingImpulse = total;
   a.surface += (kSpinFactor * a.inverseMass * a.inverseRadius) * change;
   b.surface -= (kSpinFactor * b.inverseMass * b.inverseRadius) * change;
-  return length(change) * row.inverseTurning / a.inverseRadius;
+  return squaredLength(change) * squared(row.inverseTurning / a.inverseRadius);
 }
 
 // What the impulses did to the energy is told by the balls that they moved.

@@ -32,6 +32,7 @@ class IslandPasses {
     std::uint32_t a, b;  // bodies
     Vec3 normal;
     double normalMass, inverseNormalMass;  // kg, 1/kg
+    double tangentMass;                    // kg, of the tangent plane
     double bounceSpeed;                    // m/s
     double inverseTurning;                 // 1/(kg m^2)
     double normalImpulse;                  // N s
@@ -41,9 +42,8 @@ class IslandPasses {
 
   void take(const Settings& settings, std::span<Contact* const> island, const Balls& balls);
   std::uint32_t bodyOf(std::uint32_t ball, double inverseMass, const Balls& balls);
-  // These return the change of relative velocity, m/s.
-  double solveNormal(Row& row);
-  double solveTangent(double friction, Row& row);
+  // These return the square of the change of relative velocity, m^2/s^2.
+  double solvePush(double friction, Row& row);
   double solveRolling(double resistance, Row& row);
   void giveBack(Balls& balls, const Ledger& ledger) const;
 

@@ -1,18 +1,15 @@
 #include "contacts/path.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "contacts/held_motion.h"
 #include "contacts/support.h"
+#include "forces/pull_bound.h"
 
 namespace wells {
 namespace {
-
-/// m/s^2, the strongest pull of a well: at softening / sqrt(2) from it.
-double strongestPull(const Well& well) {
-  return 2 / (3 * std::sqrt(3.0)) * std::abs(well.strength) / (well.softening * well.softening);
-}
 
 /// A bound (m/s) on the speed of a ball, and on that of its surface by spin over
 /// sqrt(kInertiaFactor), for `duration` seconds in which nothing pulls it by more than `strongest`
@@ -24,35 +21,16 @@ double fastest(const Path& path, const BallState& ball, double strongest, double
   return std::sqrt(energy) + strongest * duration;
 }
 
-/// By a well at that distance, to or from which the ball gets by no more than `way` (m). It pulls
-/// most at softening / sqrt(2); further away ever less, and nearer ever less.
-double pullBound(const Well& well, double distance, double way) {
-  const double e2 = well.softening * well.softening;
-  const double least = distance - way;
-  const double most = distance + way;
-  const double worst = least > 0 && 2 * least * least > e2 ? least
-                       : 2 * most * most < e2              ? most
-                                                           : 0;
-  if (worst == 0) return strongestPull(well);
-  const double s2 = worst * worst + e2;
-  return std::abs(well.strength) * worst / (s2 * std::sqrt(s2));
-}
-
 /// By wells and drag.
-double pullBound(const PathModel& model, const Path& path, const BallState& ball, double t,
-                 double duration) {
+double pullBoundOf(const PathModel& model, const Path& path, const BallState& ball, double t,
+                   double duration) {
   const Field& field = *model.field;
-  if (field.wells.empty() && model.drag == 1) return 0;
+  if (isParabola(field, model.drag)) return 0;
   double strongest = length(field.gravity);
-  for (const Well& well : field.wells) strongest += strongestPull(well);
+  for (const WellBlock& block : field.wells.blocks())
+    for (std::size_t k = 0; k < block.count; ++k) strongest += block.strongest[k];
   const double speed = fastest(path, ball, strongest, duration);  // drag only slows
-  double bound = dragRate(model.drag) * speed;
-  for (const Well& well : field.wells) {
-    const double distance = length(well.position + well.velocity * t - ball.position);
-    const double way = (speed + length(well.velocity)) * duration;
-    bound += pullBound(well, distance, way);
-  }
-  return bound;
+  return dragRate(model.drag) * speed + pullBound(field, ball.position, speed, t, duration);
 }
 
 /// Friction over what presses, of a ball that turns or slides; rolling takes its share of the pull
@@ -113,10 +91,45 @@ BallState stateAt(const PathModel& model, const Path& path, double t) {
   return state;
 }
 
+std::pair<BallState, BallState> statesAt(const PathModel& model, const Path& a, const Path& b,
+                                         double t) {
+  const bool flyTogether = a.motion == Motion::Flying && b.motion == Motion::Flying &&
+                           a.start == b.start && a.start < t &&
+                           !isParabola(*model.field, model.drag);
+  if (!flyTogether) return {stateAt(model, a, t), stateAt(model, b, t)};
+  std::array<double, 2> x[3];  // m
+  std::array<double, 2> v[3];  // m/s
+  for (int k = 0; k < 3; ++k) {
+    x[k] = {a.state.position[k], b.state.position[k]};
+    v[k] = {a.state.velocity[k], b.state.velocity[k]};
+  }
+  flyThrough(*model.integrator, {model.field, a.start, t - a.start, model.drag},
+             {x[0].data(), x[1].data(), x[2].data(), v[0].data(), v[1].data(), v[2].data(), 2});
+  const auto end = [&](std::size_t i, const Vec3& spin) {
+    return BallState{{x[0][i], x[1][i], x[2][i]}, {v[0][i], v[1][i], v[2][i]}, spin};
+  };
+  return {end(0, a.state.spin), end(1, b.state.spin)};
+}
+
+void endFlights(const PathModel& model, std::span<const Path> paths, double t,
+                std::span<std::uint32_t> flying, Balls& balls) {
+  const auto startOf = [&](std::uint32_t i) { return paths[i].start; };
+  if (!std::ranges::is_sorted(flying, {}, startOf)) std::ranges::sort(flying, {}, startOf);
+  for (const std::uint32_t i : flying) balls.setState(i, paths[i].state);
+  while (!flying.empty()) {
+    const double start = startOf(flying.front());
+    const auto next = std::ranges::find_if(flying, [&](auto i) { return startOf(i) != start; });
+    const auto count = static_cast<std::size_t>(next - flying.begin());
+    flyThrough(*model.integrator, {model.field, start, t - start, model.drag}, flying.first(count),
+               balls.position.data(), balls.velocity.data());
+    flying = flying.subspan(count);
+  }
+}
+
 double accelerationBound(const PathModel& model, const Path& path, const BallState& now, double t,
                          double duration) {
   if (path.motion == Motion::Resting) return 0;
-  const double byFields = pullBound(model, path, now, t, duration);
+  const double byFields = pullBoundOf(model, path, now, t, duration);
   if (path.motion == Motion::Flying) return byFields;
   if (path.surface == kCorner) return boundInCorner(model, path, now, byFields, duration);
   return path.surface == kGround ? boundOnGround(model, path, byFields)

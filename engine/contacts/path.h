@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <utility>
 
 #include "contacts/contact.h"
 #include "flight/integrators.h"
@@ -50,6 +52,16 @@ Path pathFrom(const PathModel& model, const BallState& state, double radius, dou
 /// The state at t >= path.start: one flight, or one integration of the held ball,
 /// from `start`, so that a path has its method's order whatever time it is asked for.
 BallState stateAt(const PathModel& model, const Path& path, double t);
+
+/// Both at the same time, to the same bits: flights that begin together cost little more than one.
+std::pair<BallState, BallState> statesAt(const PathModel& model, const Path& a, const Path& b,
+                                         double t);
+
+/// Sets the states in `balls` of those named, each on paths[its id] in flight and set out before t,
+/// to those at time t: stateAt() of many, of which those that set out together fly together. Sorts
+/// `flying` by when they did.
+void endFlights(const PathModel& model, std::span<const Path> paths, double t,
+                std::span<std::uint32_t> flying, Balls& balls);
 
 /// Bound (m/s^2) on the acceleration of a ball that has state `now` on the path at time t, during
 /// the next `duration` seconds. In flight by wells and drag alone; gravity is not in it. Held by a

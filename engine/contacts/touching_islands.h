@@ -31,6 +31,7 @@ class TouchingIslands {
   std::vector<std::uint32_t> parent_;    // by ball, union-find; only those of contacts are valid
   std::vector<std::uint32_t> islandOf_;  // by ball, valid at roots
   std::vector<std::uint32_t> start_, next_;
+  std::vector<Contact*> acting_;  // in the order of the lists
   std::vector<Contact*> contacts_;
 };
 

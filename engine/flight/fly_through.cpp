@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 #include "flight/fly_each-inl.h"
 #include "math/components.h"
@@ -28,10 +29,6 @@ namespace {
 
 HWY_EXPORT(flyParabolas);
 
-bool isParabola(const Flight& flight) {
-  return flight.field->wells.empty() && flight.drag == 1;
-}
-
 void flyStretches(const Integrator& integrator, const Flight& flight, const FlightArrays& balls) {
   const double stretch = flight.field->stretch;
   Flight part = flight;
@@ -51,11 +48,21 @@ class Block {
  public:
   static constexpr std::size_t kSize = 64;
 
+  /// The last few fly with as many made-up ones as make a vector: that costs less than several
+  /// shorter vectors.
+  static std::size_t room(std::size_t balls) {
+    const std::size_t rest = balls % kMostLanes;
+    return balls - rest + (rest == 0 ? 0 : std::bit_ceil(rest));
+  }
+
   FlightArrays take(std::span<const std::uint32_t> balls, const Vec3* position,
                     const Vec3* velocity) {
     toComponents(balls, position, x_.data(), y_.data(), z_.data());
     toComponents(balls, velocity, vx_.data(), vy_.data(), vz_.data());
-    return {x_.data(), y_.data(), z_.data(), vx_.data(), vy_.data(), vz_.data(), balls.size()};
+    for (Component* const of : {&x_, &y_, &z_, &vx_, &vy_, &vz_})
+      std::fill(of->begin() + balls.size(), of->begin() + room(balls.size()), 0.0);
+    return {x_.data(),  y_.data(),  z_.data(),         vx_.data(),
+            vy_.data(), vz_.data(), room(balls.size())};
   }
 
   void giveBack(std::span<const std::uint32_t> balls, Vec3* position, Vec3* velocity) const {
@@ -64,6 +71,7 @@ class Block {
   }
 
  private:
+  static constexpr std::size_t kMostLanes = 8;
   using Component = std::array<double, kSize>;
   Component x_, y_, z_;     // m
   Component vx_, vy_, vz_;  // m/s
@@ -72,7 +80,7 @@ class Block {
 }  // namespace
 
 void flyThrough(const Integrator& integrator, const Flight& flight, const FlightArrays& balls) {
-  if (isParabola(flight)) {
+  if (isParabola(*flight.field, flight.drag)) {
     const Vec3 gain = flight.field->gravity * flight.duration;
     HWY_DYNAMIC_DISPATCH(flyParabolas)(gain.data(), flight.duration, balls);
     return;
@@ -82,7 +90,7 @@ void flyThrough(const Integrator& integrator, const Flight& flight, const Flight
 
 void flyThrough(const Integrator& integrator, const Flight& flight,
                 std::span<const std::uint32_t> balls, Vec3* position, Vec3* velocity) {
-  if (isParabola(flight)) {
+  if (isParabola(*flight.field, flight.drag)) {
     // So short that copying would cost more than vectors save.
     const double h = flight.duration;
     const Vec3 gain = flight.field->gravity * h;

@@ -53,9 +53,14 @@ void flyThrough(const Integrator& integrator, const Flight& flight,
 /// A remainder this small, in stretches, is rounding and belongs to the stretch before it.
 inline constexpr double kNoRemainder = 1e-9;
 
+/// True where nothing but gravity acts.
+inline bool isParabola(const Field& field, double drag) {
+  return field.wells.empty() && drag == 1;
+}
+
 /// True where velocity is the rate of position at all times within a flight.
 inline bool isDenseIn(const Integrator& integrator, const Field& field, double drag) {
-  return integrator.isDense || (field.wells.empty() && drag == 1);
+  return integrator.isDense || isParabola(field, drag);
 }
 
 std::span<const Integrator> integrators();

@@ -30,7 +30,7 @@ double stretchesWanted(double strength, double softening, double dt) {
   return dt * omega / kStretchPhase;
 }
 
-std::int64_t stretchesOf(const std::vector<Well>& wells, double dt) {
+std::int64_t stretchesOf(const FieldWells& wells, double dt) {
   double most = 1;
   for (const Well& well : wells)
     most = std::max(most, stretchesWanted(well.strength, well.softening, dt));

@@ -4,8 +4,8 @@
 
 #include <cstdint>
 #include <limits>
-#include <vector>
 
+#include "forces/field_wells.h"
 #include "math/vector.h"
 #include "state/world.h"
 
@@ -13,8 +13,8 @@ namespace wells {
 
 /// Gravity and wells as they act during one step. Drag is not a field: see dragFactor.
 struct Field {
-  Vec3 gravity = Vec3::Zero();   // m/s^2
-  std::vector<Well> wells = {};  // switched on ones only
+  Vec3 gravity = Vec3::Zero();  // m/s^2
+  FieldWells wells = {};        // switched on ones only
   /// The step is divided into so many stretches of flight of so many seconds, which resolve the
   /// sharpest well: see stretchesOf.
   std::int64_t stretches = 1;
@@ -31,7 +31,7 @@ void updateField(const World& world, std::int64_t step, Field& field);
 /// kStretchPhase / omega, omega^2 = max |S| / softening^3 being the curvature at the centre of the
 /// sharpest well. The same for all balls and, while the wells keep their strengths, for all steps:
 /// what is symplectic at a fixed step stays so. At most kMostStretches.
-std::int64_t stretchesOf(const std::vector<Well>& wells, double dt);
+std::int64_t stretchesOf(const FieldWells& wells, double dt);
 
 /// The same for one well, before rounding and without a limit.
 double stretchesWanted(double strength, double softening, double dt);

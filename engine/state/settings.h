@@ -2,16 +2,27 @@
 // all peers of a session.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
 #include "math/vector.h"
 
 namespace wells {
+
+/// The choice whose name stands at its place in `names`; nothing where there is no such name.
+template <class Choice>
+constexpr std::optional<Choice> choiceNamed(std::span<const std::string_view> names,
+                                            std::string_view name) {
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end()) return std::nullopt;
+  return static_cast<Choice>(found - names.begin());
+}
 
 /// How contacts are resolved.
 enum class ContactMethod {
@@ -30,9 +41,7 @@ constexpr std::string_view name(ContactMethod method) {
 
 /// Nothing where there is no such method.
 constexpr std::optional<ContactMethod> contactMethod(std::string_view name) {
-  for (std::size_t i = 0; i < kContactMethodNames.size(); ++i)
-    if (kContactMethodNames.at(i) == name) return static_cast<ContactMethod>(i);
-  return std::nullopt;
+  return choiceNamed<ContactMethod>(kContactMethodNames, name);
 }
 
 /// How candidate pairs are found. The results are the same, to the bit.
@@ -50,9 +59,7 @@ constexpr std::string_view name(BroadphaseKind kind) {
 
 /// Nothing where there is no such kind.
 constexpr std::optional<BroadphaseKind> broadphaseKind(std::string_view name) {
-  for (std::size_t i = 0; i < kBroadphaseNames.size(); ++i)
-    if (kBroadphaseNames.at(i) == name) return static_cast<BroadphaseKind>(i);
-  return std::nullopt;
+  return choiceNamed<BroadphaseKind>(kBroadphaseNames, name);
 }
 
 struct Settings {

@@ -8,6 +8,7 @@
 #include "math/room.h"
 #include "math/straight_path.h"
 #include "world/advance.h"
+#include "world/pairs_of_few.h"
 
 namespace wells {
 namespace {
@@ -15,9 +16,6 @@ namespace {
 constexpr std::size_t kLeastRange = 16384;  // balls or pairs, that a thread looks at
 
 constexpr double kSurelyInside = 1 - 1e-9;  // of a distance that was rounded
-
-// Balls, all pairs of which cost less than a broadphase, unless one is asked for.
-constexpr std::size_t kFew = 48;
 
 /// Fills the list with what find(n, place) puts there, up to `most` pairs for each n < count, whose
 /// number it returns; without a branch for each, because whether a pair is near cannot be foretold.
@@ -56,7 +54,7 @@ void Candidates::find(const World& world, std::span<const double> reach,
                       }
                     });
   leaningPairs_.clear();
-  areFew_ = among.size() <= kFew && world.roles.empty() &&
+  areFew_ = among.size() <= FewSpheres::kMost && world.roles.empty() &&
             world.settings.broadphase == BroadphaseKind::Auto;
   areBroadphases_ = false;
   if (areFew_) return findAmongFew(world, reach, among);
@@ -140,24 +138,17 @@ bool Candidates::isSurprised(const World& world, std::span<const std::uint32_t> 
 
 void Candidates::findAmongFew(const World& world, std::span<const double> reach,
                               std::span<const std::uint32_t> among) {
-  ballPairs_.resize(among.size() * among.size() / 2);
+  FewSpheres spheres;
   arenaPairs_.clear();
-  std::size_t count = 0;
-  for (std::size_t n = 0; n < among.size(); ++n) {
-    const std::uint32_t a = among[n];
-    if (!std::isfinite(reach[a])) continue;
-    const auto [center, radius] = spheres_[a];
-    for (std::size_t m = n + 1; m < among.size(); ++m) {
-      const Sphere& b = spheres_[among[m]];
-      const double bound = radius + b.radius;
-      ballPairs_[count] = {a, among[m]};
-      count += squaredLength(b.center - center) <= bound * bound && std::isfinite(b.radius) ? 1 : 0;
-    }
+  for (const std::uint32_t i : among) {
+    const auto& [center, radius] = spheres_[i];
+    spheres.add(i, center, radius);
+    if (!std::isfinite(reach[i])) continue;
     for (const std::uint32_t partner : {kWall, kGround})
-      if (mayTouchArena(world.arena, center, world.balls.radius[a], reach[a], partner))
-        arenaPairs_.push_back({a, partner});
+      if (mayTouchArena(world.arena, center, world.balls.radius[i], reach[i], partner))
+        arenaPairs_.push_back({i, partner});
   }
-  ballPairs_.resize(count);
+  findPairsOfFew(spheres, ballPairs_);
 }
 
 void Candidates::findBallsAndLeaning(const World& world) {

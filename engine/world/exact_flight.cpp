@@ -5,7 +5,6 @@
 #include "contacts/held_motion.h"
 #include "contacts/impacts.h"
 #include "contacts/support.h"
-#include "world/advance.h"
 
 namespace wells {
 namespace {
@@ -52,17 +51,14 @@ IslandFate ExactFlight::run(const StepInput& in, std::span<const std::uint32_t> 
 
 void ExactFlight::endStep(const StepInput& in, std::span<const std::uint32_t> island,
                           std::span<double> reach, Balls& balls) {
-  undisturbed_.clear();
+  flying_.clear();
   for (const std::uint32_t i : island) {
-    if (path_[i].motion == Motion::Flying && path_[i].start == 0) {
-      balls.setState(i, path_[i].state);
-      undisturbed_.push_back(i);
-    } else {
+    if (path_[i].motion == Motion::Flying && path_[i].start < dt_)
+      flying_.push_back(i);
+    else
       balls.setState(i, stateAt(in.model, path_[i], dt_));
-    }
   }
-  flyThrough(*in.model.integrator, {in.model.field, 0, dt_, in.model.drag}, undisturbed_,
-             balls.position.data(), balls.velocity.data());
+  endFlights(in.model, path_, dt_, flying_, balls);
   for (const std::uint32_t i : island) checkReach(in, i, dt_, balls, reach);
 }
 
@@ -107,8 +103,7 @@ void ExactFlight::takeHold(const StepInput& in, std::span<const std::uint32_t> i
   isInCluster_.resize(balls.size(), 0);
   for (const std::uint32_t i : island) {
     start_[i] = balls.state(i);
-    version_[i] = 0;
-    pairCount_[i] = 0;
+    version_[i] = pairCount_[i] = 0;
   }
   // The pairs of ball i are pairsOf_[firstPair_[i]] and the pairCount_[i] - 1 after it.
   for (const BallPair& pair : pairs) {
@@ -318,17 +313,22 @@ void ExactFlight::gatherCluster(const StepInput& in, std::span<const BallPair> p
   cluster_.clear();
   clusterBalls_.clear();
   const auto isHere = [&](std::uint32_t i) { return isInCluster_[i] != 0; };
-  const auto bring = [&](std::uint32_t i) {
-    if (!isBall(i) || isHere(i)) return;
-    balls.setState(i, stateAt(in.model, path_[i], event.time));
+  const auto bring = [&](std::uint32_t i, const BallState& state) {
+    balls.setState(i, state);
     clusterBalls_.push_back(i);
     isInCluster_[i] = 1;
   };
   const auto include = [&](std::uint32_t p) {
+    const auto [a, b] = pairs[p];
     inCluster_[p] = 1;
-    cluster_.push_back({.a = pairs[p].a, .b = pairs[p].b});
-    bring(pairs[p].a);
-    bring(pairs[p].b);
+    cluster_.push_back({.a = a, .b = b});
+    if (isBall(b) && !isHere(a) && !isHere(b)) {
+      const auto [stateA, stateB] = statesAt(in.model, path_[a], path_[b], event.time);
+      bring(a, stateA);
+      bring(b, stateB);
+    }
+    for (const std::uint32_t i : {a, b})
+      if (isBall(i) && !isHere(i)) bring(i, stateAt(in.model, path_[i], event.time));
     touch(arena, balls, cluster_.back());
   };
   include(event.pair);

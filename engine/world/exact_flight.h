@@ -168,9 +168,9 @@ class ExactFlight {
   std::vector<Event> events_;  // heap, earliest first
   std::vector<Contact> cluster_;
   std::vector<std::uint32_t> clusterBalls_;
-  std::vector<std::uint32_t> undisturbed_;  // that fly through the whole step
-  std::vector<std::uint8_t> inCluster_;     // by pair of the island
-  std::vector<std::uint8_t> isInCluster_;   // by ball
+  std::vector<std::uint32_t> flying_;      // at the end of the step
+  std::vector<std::uint8_t> inCluster_;    // by pair of the island
+  std::vector<std::uint8_t> isInCluster_;  // by ball
   ExactCounts counts_;
   bool keepsBooks_ = false;
   Books books_;

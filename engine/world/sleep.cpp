@@ -33,7 +33,7 @@ std::uint64_t conditionsOf(const World& world) {
   return hash.value();
 }
 
-bool areSame(const std::vector<Well>& x, const std::vector<Well>& y) {
+bool areSame(const FieldWells& x, const FieldWells& y) {
   return std::ranges::equal(x, y, [](const Well& a, const Well& b) {
     return a.position == b.position && a.velocity == b.velocity && a.strength == b.strength &&
            a.softening == b.softening;

@@ -135,7 +135,7 @@ class Sleep {
   std::vector<std::uint32_t> slow_;  // of the last end(): all others that are awake have not rested
   std::map<std::uint32_t, Group> groups_;  // by lowest ball
   RestingBoxes boxes_;                     // of those asleep
-  std::vector<Well> wells_;                // when those asleep were last looked at
+  FieldWells wells_;                       // when those asleep were last looked at
   std::uint64_t conditions_ = 0;           // that the last step was done under
   std::optional<std::int64_t> nextStep_;
   bool needsBoxes_ = false;  // since restore()

@@ -62,26 +62,41 @@ void expectTable(const std::string& csv, std::size_t rows) {
   for (const std::string& line : all) EXPECT_EQ(columns(line), columns(all.front())) << line;
 }
 
-/// Two methods in rounds, and one that did not end.
+/// Some methods in rounds.
 class SpeedTables : public testing::Test {
  protected:
   SpeedTables() {
-    BenchResult measured;
-    measured.scene = "T1";
-    measured.end.ballOverlap = 0.0421;
-    measured.end.escaped = 3;
-    std::ofstream(folder_ / "row.csv") << csvHeader() << '\n' << csvRow(measured) << '\n';
-    const BenchRow row(folder_ / "row.csv");
-    SpeedMethod bullet, threads, exact;
-    bullet.engine = "bullet";
-    threads.threads = 2;
-    exact.contacts = "exact";
+    BenchResult bullet = kept();
+    bullet.books.reset();
+    bullet.end.ballOverlap = 0.111;
+    bullet.end.escaped = 3;
+    const BenchRow ours = rowOf(kept());
     result_ = {&findSpeedScene("T1-10000"), 300, 5, {}};
-    result_.rows = {{bullet, {80, 82, 160}, row},
-                    {SpeedMethod{}, {8, 8, 8}, row},
-                    {threads, {4, 5, 8}, row},
-                    {exact, {}, {}, "not done in 20 s"}};
-    result_.rows[1].ballBytes = 512;
+    result_.rows = {{{.engine = "bullet"}, {80, 82, 160}, rowOf(bullet)},
+                    {{}, {8, 8, 8}, ours},
+                    {{.threads = 2}, {4, 5, 8}, ours},
+                    {{.substeps = 3, .iterations = 2, .ballBound = 0.0420}, {6, 6, 6}, ours}};
+  }
+
+  /// Of a world that keeps all bounds, those of stock Bullet at least.
+  static BenchResult kept() {
+    BenchResult result;
+    result.scene = "T1";
+    result.memory = 10000 * 512 / (1024.0 * 1024);
+    result.start.potentialEnergy = -1e6;
+    result.end.potentialEnergy = -2e6;
+    result.end.ballOverlap = 0.0421;
+    result.books.emplace();
+    return result;
+  }
+
+  BenchRow rowOf(const BenchResult& result) const {
+    std::ofstream(folder_ / "row.csv") << csvHeader() << '\n' << csvRow(result) << '\n';
+    return BenchRow(folder_ / "row.csv");
+  }
+
+  bool keeps(const BenchResult& result) const {
+    return keepsBounds(result_, {{}, {}, rowOf(result)});
   }
 
   TemporaryFolder folder_;
@@ -101,27 +116,55 @@ TEST_F(SpeedTables, HaveARowForEachMethod) {
   const auto text = lines(speedText(result_));
   ASSERT_EQ(text.size(), 6u);
   EXPECT_NE(text[0].find("10000 balls, steps 0 to 300, 3 round(s) of up to 5"), std::string::npos);
-  for (const char* part : {"ours ", " 8 ", "10.2 (10..20)", "0.0421", " 3 ", " 512 "})
+  EXPECT_NE(text[2].find(" 3 "), std::string::npos) << text[2];
+  for (const char* part : {"ours ", " 8 ", "10.2 (10..20)", "0.0421", " 0.111 ", " pass ", " 512 "})
     EXPECT_NE(text[3].find(part), std::string::npos) << part << " in " << text[3];
   EXPECT_NE(text[4].find("1.6 (1..2)"), std::string::npos) << text[4];
-  EXPECT_NE(text[5].find("not done in 20 s"), std::string::npos);
+  for (const char* part : {"ours 3x2", " 0.042 ", " FAIL "})
+    EXPECT_NE(text[5].find(part), std::string::npos) << part << " in " << text[5];
+}
+
+TEST_F(SpeedTables, SayWhatIsLeftOut) {
+  for (SpeedRow& row : result_.rows) row = {row.method};
+  EXPECT_EQ(lines(speedText(result_)).size(), 1u);
+  EXPECT_NE(speedText(result_).find("T1-10000: left out"), std::string::npos);
+  expectTable(speedCsv(std::span(&result_, 1)), 0);
+}
+
+TEST_F(SpeedTables, PassWhatKeepsEveryBound) {
+  EXPECT_TRUE(keeps(kept()));
+  BenchResult result = kept();
+  result.end.ballOverlap = 0.1111;  // deeper than Bullet's
+  EXPECT_FALSE(keeps(result));
+  result = kept();
+  result.end.groundOverlap = 0.0121;
+  EXPECT_FALSE(keeps(result));
+  result = kept();
+  result.end.wallOverlap = 0.0121;
+  EXPECT_FALSE(keeps(result));
+  result = kept();
+  result.end.escaped = 1;
+  EXPECT_FALSE(keeps(result));
+  result = kept();
+  result.books->contacts = 1e-12 * 2e6 * 300;  // rounding of 300 steps
+  EXPECT_TRUE(keeps(result));
+  result.books->contacts *= 1.1;
+  EXPECT_FALSE(keeps(result));
 }
 
 TEST_F(SpeedTables, PlotEachMethodThatRanAndTheLineOf60Hz) {
   const std::string script = speedScript(std::span(&result_, 1));
-  for (const char* part : {"title 'stock Bullet'", "title 'ours'", "title 'ours on 2 threads'",
-                           "1000.0/60", "set logscale xy"})
+  for (const char* part :
+       {"title 'stock Bullet'", "title 'ours'", "title 'ours on 2 threads'", "title 'ours, tuned'",
+        "'|T1-10000 ours 3x2|'", "1000.0/60", "set logscale xy"})
     EXPECT_NE(script.find(part), std::string::npos) << part;
-  EXPECT_EQ(script.find("exact"), std::string::npos);
 }
 
 TEST(SpeedPlan, NamesMethodsAndAsksForThem) {
   SpeedMethod method;
   EXPECT_EQ(name(method), "ours");
   EXPECT_EQ(arguments(method), (std::vector<std::string>{"--engine", "ours"}));
-  method.substeps = 4;
-  method.iterations = 1;
-  method.threads = 2;
+  method = {.substeps = 4, .iterations = 1, .threads = 2};
   EXPECT_EQ(name(method), "ours 4x1 on 2 threads");
   EXPECT_EQ(arguments(method), (std::vector<std::string>{"--engine", "ours", "--substeps", "4",
                                                          "--iterations", "1", "--threads", "2"}));
@@ -133,16 +176,17 @@ TEST(SpeedPlan, NamesMethodsAndAsksForThem) {
 }
 
 TEST(SpeedPlan, IsOfScenesThatExistAndFitsItsTime) {
-  double shares = 0;  // s
+  double time = 0;  // s, of a round
   for (const SpeedScene& scene : speedScenes()) {
     EXPECT_NO_THROW(findScene(scene.scene)) << scene.name;
-    shares += scene.share;
+    time += scene.roundTime;
     const auto methods = speedMethods(scene, std::vector<std::int64_t>{1, 2});
     EXPECT_TRUE(methods.front().isBullet());
     EXPECT_EQ(methods[1], SpeedMethod{});
     EXPECT_EQ(methods[2].threads, 2);
   }
-  EXPECT_LE(shares, kFullMinutes * 60);
+  const SpeedOptions options;
+  EXPECT_LE(time * static_cast<double>(options.repeats), options.minutes * 60);
 }
 
 TEST(FeatureTable, SaysWhatIsFree) {
@@ -150,13 +194,17 @@ TEST(FeatureTable, SaysWhatIsFree) {
   row.scene = "T1, 1,000";
   row.unused = {1.02, 1.0, 1.3};
   FeatureRow dear = row;
-  dear.unused.median = 1.021;
-  const std::vector<FeatureRow> rows = {row, dear};
-  expectTable(featureCsv(rows), 2);
+  dear.unused->median = 1.021;
+  FeatureRow none = row;
+  none.unused.reset();
+  const std::vector<FeatureRow> rows = {row, dear, none};
+  expectTable(featureCsv(rows), 3);
   const auto text = lines(featureText(rows));
-  ASSERT_EQ(text.size(), 3u);
+  ASSERT_EQ(text.size(), 4u);
   EXPECT_NE(text[1].find("1.020 (1.000..1.300) pass"), std::string::npos) << text[1];
   EXPECT_NE(text[2].find("1.021 (1.000..1.300) FAIL"), std::string::npos) << text[2];
+  for (const char* verdict : {"pass", "FAIL"})
+    EXPECT_EQ(text[3].find(verdict), std::string::npos) << text[3];
 }
 
 TEST(StageTable, ShowsTheSumBesideTheStep) {

@@ -70,6 +70,24 @@ TEST(AccelerationBound, HoldsForWellsThatMove) {
   }
 }
 
+TEST(StatesAt, AreThoseOfEachPathToTheBit) {
+  Random random(5);
+  for (int i = 0; i < 500; ++i) {
+    Flights flights(random);
+    auto& [a, b] = flights.paths;
+    if (i % 2 == 0) b.start = a.start;
+    for (const double t : {a.start, random.uniform(0, kStep), kStep}) {
+      const auto [nowA, nowB] = statesAt(flights.model, a, b, t);
+      for (const auto& [now, path] : {std::pair{&nowA, &a}, std::pair{&nowB, &b}}) {
+        const BallState expected = stateAt(flights.model, *path, t);
+        ASSERT_EQ(now->position, expected.position) << i;
+        ASSERT_EQ(now->velocity, expected.velocity) << i;
+        ASSERT_EQ(now->spin, expected.spin) << i;
+      }
+    }
+  }
+}
+
 // Where they say so nothing meets; and they say so of most that do not.
 TEST(StayApart, IsSoAtAnyTime) {
   Random random(2);

@@ -184,6 +184,9 @@ const std::vector<Field>& fields() {
                                {.wells = {still}},
                                {.gravity = {0, -9.81, 0}, .wells = {still, moving}}};
     list.back().stretch = 0.006;
+    list.push_back(list.back());  // more wells than a vector has lanes
+    for (const Vec3& position : {Vec3{2, 9, 1}, Vec3{7, -3, 2}, Vec3{1, 1, -8}})
+      list.back().wells.push_back({.position = position, .strength = 250, .softening = 1});
     return list;
   }();
   return kFields;

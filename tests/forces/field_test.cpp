@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "forces/pull_bound.h"
+#include "math/instruction_set.h"
 #include "math/random.h"
 
 namespace wells {
@@ -48,10 +51,48 @@ TEST(Field, AccelerationIsMinusTheGradientOfThePotential) {
 TEST(Field, WellsMoveDuringTheStep) {
   Field field = someField();
   Field moved = field;
-  field.wells[0].velocity = {1, 2, 3};
-  moved.wells[0].position += Vec3(0.5, 1, 1.5);
+  Well well = field.wells[0];
+  well.velocity = {1, 2, 3};
+  field.wells.set(0, well);
+  well = moved.wells[0];
+  well.position += Vec3(0.5, 1, 1.5);
+  moved.wells.set(0, well);
   const Vec3 x{1, 1, 1};
   EXPECT_EQ(acceleration(field, x, 0.5), acceleration(moved, x, 0));
+}
+
+/// By a well that is `distance` away from a ball that moves no more than `way`: the law, at the
+/// nearest to the place of the strongest pull that it may get.
+double pullBoundOf(const Well& well, double distance, double way) {
+  const double strongestAt = well.softening / std::sqrt(2.0);
+  const double at = std::clamp(strongestAt, std::max(0.0, distance - way), distance + way);
+  return std::abs(well.strength) * at / std::pow(at * at + well.softening * well.softening, 1.5);
+}
+
+TEST(PullBound, IsTheSumOfWhatEachWellPullsAtTheMost) {
+  Random random(2);
+  for (const InstructionSet set : instructionSets()) {
+    useInstructionSet(set);
+    for (int i = 0; i < 500; ++i) {
+      const double t = random.uniform(0, 0.1);
+      const double duration = random.uniform(0, 0.1);
+      const double speed = random.uniform(0, 30);
+      const Vec3 x = random.uniform(0, 9) * random.direction();
+      Field field;
+      double expected = 0;
+      for (int n = 0; n < i % 11; ++n) {
+        const Well well{.position = random.uniform(0, 9) * random.direction(),
+                        .velocity = random.uniform(0, 9) * random.direction(),
+                        .strength = random.uniform(-900, 900),
+                        .softening = random.uniform(0.1, 9)};
+        field.wells.push_back(well);
+        expected += pullBoundOf(well, length(well.position + t * well.velocity - x),
+                                (speed + length(well.velocity)) * duration);
+      }
+      ASSERT_NEAR(pullBound(field, x, speed, t, duration), expected, 1e-12 * expected);
+    }
+  }
+  useInstructionSet(instructionSets().back());
 }
 
 TEST(Field, WellsThatAreOffAreLeftOut) {

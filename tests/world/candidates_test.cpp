@@ -19,7 +19,8 @@
 namespace wells {
 namespace {
 
-constexpr BroadphaseKind kKinds[] = {BroadphaseKind::Tree, BroadphaseKind::Grid};
+constexpr BroadphaseKind kKinds[] = {BroadphaseKind::Tree, BroadphaseKind::Grid,
+                                     BroadphaseKind::Auto};
 
 std::vector<double> reachesOf(const World& world) {
   Field field;
