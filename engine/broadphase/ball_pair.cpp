@@ -31,7 +31,7 @@ void PairSorter::sortByLower(ThreadPool& threads, std::vector<BallPair>& sorted)
         });
   };
   forEach([](std::uint32_t, std::uint32_t, std::uint32_t& count) { ++count; });
-  sorted.resize(startEach(balls, parts));
+  resizeAfresh(sorted, startEach(balls, parts));
   forEach([&](std::uint32_t upper, std::uint32_t lower, std::uint32_t& next) {
     sorted[next++] = {lower, upper};
   });

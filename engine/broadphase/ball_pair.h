@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "math/room.h"
 #include "threads/thread_pool.h"
 
 namespace wells {
@@ -40,7 +41,7 @@ class PairSorter {
     };
     forEach([](std::uint32_t, std::uint32_t& count) { ++count; });
     const std::size_t pairs = startEach(balls, parts);
-    if (lowers_.size() < pairs) lowers_.resize(pairs + pairs / 8);
+    resizeAfresh(lowers_, pairs);
     forEach([&](std::uint32_t lower, std::uint32_t& next) { lowers_[next++] = lower; });
     // Where its last part ends, those of a ball do.
     end_.assign(next_.end() - static_cast<std::ptrdiff_t>(balls), next_.end());
@@ -52,7 +53,7 @@ class PairSorter {
   void sortByLower(ThreadPool& threads, std::vector<BallPair>& sorted);
 
   std::vector<std::uint32_t> next_;    // by part and ball: counts, then where its next pair goes
-  std::vector<std::uint32_t> lowers_;  // those of each upper ball; holds more than are valid
+  std::vector<std::uint32_t> lowers_;  // those of each upper ball
   std::vector<std::uint32_t> end_;     // by upper ball, of its lowers
 };
 

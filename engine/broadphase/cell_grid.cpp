@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "math/room.h"
+
 namespace wells {
 namespace {
 
@@ -116,8 +118,10 @@ void CellGrid::sortAll(const Boxes& boxes, ThreadPool& threads) {
   const bool areSpheres = content_ == BoxContent::Spheres;
   const std::size_t room = slots() + SortedBoxes::kRoom;
   sorted_.content = content_;
-  for (auto* numbers : {&sorted_.x, &sorted_.y, &sorted_.z, &sorted_.halfX}) numbers->resize(room);
-  for (auto* numbers : {&sorted_.halfY, &sorted_.halfZ}) numbers->resize(areSpheres ? 0 : room);
+  for (auto* numbers : {&sorted_.x, &sorted_.y, &sorted_.z, &sorted_.halfX})
+    resizeAfresh(*numbers, room);
+  for (auto* numbers : {&sorted_.halfY, &sorted_.halfZ})
+    resizeAfresh(*numbers, areSpheres ? 0 : room);
   threads.forRanges(slots(), kLeastRange, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t slot = begin; slot < end; ++slot)
       fillSlot(boxes.withNumber(boxOf_[slot]), slot);
@@ -199,8 +203,8 @@ template <class Boxes>
 void CellGrid::assignSlots(const Boxes& boxes) {
   std::uint32_t sum = 0;
   for (std::uint32_t& start : start_) sum += std::exchange(start, sum);
-  cellOf_.resize(sum);
-  boxOf_.resize(sum);
+  resizeAfresh(cellOf_, sum);
+  resizeAfresh(boxOf_, sum);
   // start_[cell] runs to the end of its cell, where the next one's was; then all go back.
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const std::uint32_t cell = cellOfBox_[i];

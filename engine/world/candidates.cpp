@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contacts/contact.h"
+#include "math/room.h"
 #include "math/straight_path.h"
 #include "world/advance.h"
 #include "world/pairs_of_few.h"
@@ -73,7 +74,7 @@ std::int64_t Candidates::pairs() const {
 
 void Candidates::findBalls(ThreadPool& threads) {
   const std::vector<BallPair>& pairs = broadphase_.ballPairs();
-  ballPairs_.resize(pairs.size());
+  resizeAfresh(ballPairs_, pairs.size());
   collect(pairs.size(), threads, 1, ballPairs_, [&](std::size_t n, BallPair* found) {
     const Sphere& a = spheres_[pairs[n].a];
     const Sphere& b = spheres_[pairs[n].b];
@@ -171,7 +172,7 @@ void Candidates::findBallsAndLeaning(const World& world) {
 void Candidates::findArena(const World& world, std::span<const double> reach,
                            std::span<const std::uint32_t> among, ThreadPool& threads) {
   static_assert(kWall < kGround, "pairs are in order of (a, b)");
-  arenaPairs_.resize(2 * among.size());
+  resizeAfresh(arenaPairs_, 2 * among.size());
   const Arena& arena = world.arena;
   collect(among.size(), threads, 2, arenaPairs_, [&](std::size_t n, BallPair* found) {
     const std::uint32_t i = among[n];

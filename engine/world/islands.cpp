@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "math/room.h"
 #include "math/union_find.h"
 
 namespace wells {
@@ -62,8 +63,8 @@ void Islands::find(std::span<const BallPair> ballPairs, std::span<const BallPair
   std::partial_sum(ballStart_.begin(), ballStart_.end(), ballStart_.begin());
   std::partial_sum(pairStart_.begin(), pairStart_.end(), pairStart_.begin());
 
-  balls_.resize(ballStart_.back());
-  pairs_.resize(pairStart_.back());
+  resizeAfresh(balls_, ballStart_.back());
+  resizeAfresh(pairs_, pairStart_.back());
   next_.assign(ballStart_.begin(), ballStart_.end() - 1);
   for (const std::uint32_t i : among)
     if (islandOf_[i] != kNone) balls_[next_[islandOf_[i]]++] = i;

@@ -25,11 +25,17 @@ class LatePairs {
  private:
   std::int64_t countIn(IndexRange range, const World& world, std::span<const BallPair> pairs,
                        std::span<const BallState> start) const;
+  void keep(std::span<const BallPair> pairs);
   bool isLate(const World& world, const BallPair& pair, std::span<const BallState> start) const;
 
-  std::vector<BallPair> before_;        // those of the step before
-  std::vector<std::uint8_t> tookPart_;  // by ball, in that step
-  std::int64_t step_ = -2;              // its number
+  // The pairs of the step before: for each ball a that had any, the other balls.
+  struct List {
+    std::uint32_t a;
+    std::uint32_t end;  // of its partners, where those of the next begin
+  };
+  std::vector<List> lists_;
+  std::vector<std::uint32_t> partners_;
+  std::vector<std::uint32_t> nextStep_;  // by ball, the number of that after its last one
 };
 
 }  // namespace wells
