@@ -16,9 +16,10 @@ namespace wells {
 /// One way to simulate.
 struct SpeedMethod {
   std::string_view engine = "ours";
-  std::string_view contacts = {};  // of ours; empty: the scene's
-  std::int64_t substeps = 0;       // of ours; 0: the scene's
-  std::int64_t iterations = 0;     // likewise
+  std::string_view contacts = {};    // of ours; empty: the scene's
+  std::int64_t substeps = 0;         // of ours; 0: the scene's
+  std::int64_t iterations = 0;       // likewise
+  std::string_view integrator = {};  // likewise; empty: the scene's
   /// m, the overlap of two balls that the settings are there to keep; nothing: stock Bullet's.
   std::optional<double> ballBound = {};
   std::int64_t threads = 1;
@@ -27,7 +28,8 @@ struct SpeedMethod {
   friend bool operator==(const SpeedMethod&, const SpeedMethod&) = default;
 };
 
-/// "stock Bullet", "ours", "ours exact", "ours 3x2" (substeps x passes), "ours on 2 threads".
+/// "stock Bullet", "ours", "ours exact", "ours 3x2 leapfrog" (substeps x passes), "ours on 2
+/// threads".
 std::string name(const SpeedMethod& method);
 
 /// The options of "bench" that ask for it.
