@@ -19,6 +19,14 @@ struct BallPair {
   bool operator==(const BallPair&) const = default;
 };
 
+/// What a broadphase finds.
+struct CandidateLists {
+  std::vector<BallPair> ballPairs;  // by (a, b), each once
+  // In no particular order.
+  std::vector<std::uint32_t> nearGround;  // balls
+  std::vector<std::uint32_t> nearWall;    // once for each piece of the wall that one is near
+};
+
 /// Sorts pairs of balls by (a, b) in O(pairs + balls): by b first, then by a, each time by
 /// counting.
 class PairSorter {

@@ -21,28 +21,30 @@ BroadphaseKind broadphaseFor(std::span<const double> radii) {
 
 bool Broadphase::isBuiltFor(const World& world) const {
   return (tree_ || spheres_) && balls_ == world.balls.size() &&
+         arena_.center == world.arena.center && arena_.radius == world.arena.radius &&
          chosen_ == world.settings.broadphase;
 }
 
 void Broadphase::build(const World& world) {
   balls_ = world.balls.size();
+  arena_ = world.arena;
   chosen_ = world.settings.broadphase;
   tree_.reset();
   spheres_.reset();
-  ballPairs_.clear();
+  lists_ = {};
   if ((chosen_ == BroadphaseKind::Auto ? broadphaseFor(world.balls.radius) : chosen_) ==
       BroadphaseKind::Tree)
-    tree_ = std::make_unique<TreePairs>(balls_);
+    tree_ = std::make_unique<TreePairs>(balls_, arena_);
   else
-    spheres_ = std::make_unique<SpherePairs>(balls_);
+    spheres_ = std::make_unique<SpherePairs>(balls_, arena_);
 }
 
 void Broadphase::update(const World& world, std::span<const double> reach,
                         std::span<const std::uint32_t> among, ThreadPool* threads) {
   if (!isBuiltFor(world)) build(world);
   ThreadPool& pool = threads ? *threads : alone_;
-  moved_ = tree_ ? tree_->update(world, reach, among, pool, ballPairs_)
-                 : spheres_->update(world, reach, among, pool, ballPairs_);
+  moved_ = tree_ ? tree_->update(world, reach, among, pool, lists_)
+                 : spheres_->update(world, reach, among, pool, lists_);
 }
 
 void Broadphase::remove(std::span<const std::uint32_t> balls) {

@@ -45,76 +45,39 @@ Vec3 centerOf(const btBroadphaseProxy& box) {
   return center;
 }
 
-const Vec3& centerOf(const BoundSphere& sphere) {
-  return sphere.center;
-}
-
 /// m, along an axis.
 double halfSizeOf(const btBroadphaseProxy& box, int axis) {
   return 0.5 * (box.m_aabbMax[axis] - box.m_aabbMin[axis]);
-}
-
-double halfSizeOf(const BoundSphere& sphere, int) {
-  return sphere.radius;
 }
 
 std::size_t strideOf(std::size_t size, std::size_t sample) {
   return std::max<std::size_t>(1, size / sample);
 }
 
-template <class Box>
-double greatestHalfSizeOf(const Box& box) {
+double greatestHalfSizeOf(const btBroadphaseProxy& box) {
   double half = 0;
   for (int k = 0; k < 3; ++k) half = std::max(half, halfSizeOf(box, k));
   return half;
 }
 
-struct AllBoxes {
-  std::span<btBroadphaseProxy* const> boxes;
-  std::size_t size() const { return boxes.size(); }
-  const btBroadphaseProxy& operator[](std::size_t i) const { return *boxes[i]; }
-  static std::uint32_t numberOf(std::size_t i) { return static_cast<std::uint32_t>(i); }
-  const btBroadphaseProxy& withNumber(std::uint32_t number) const { return *boxes[number]; }
-};
-
-struct SomeSpheres {
-  std::span<const BoundSphere> spheres;
-  std::span<const std::uint32_t> among;
-  std::size_t size() const { return among.size(); }
-  const BoundSphere& operator[](std::size_t i) const { return spheres[among[i]]; }
-  std::uint32_t numberOf(std::size_t i) const { return among[i]; }
-  const BoundSphere& withNumber(std::uint32_t number) const { return spheres[number]; }
-};
-
 }  // namespace
 
-void CellGrid::sort(std::span<btBroadphaseProxy* const> boxes) {
-  ThreadPool alone;
-  sortAll(AllBoxes{boxes}, alone);
-}
-
-void CellGrid::sort(std::span<const BoundSphere> spheres, std::span<const std::uint32_t> among,
-                    ThreadPool& threads) {
-  sortAll(SomeSpheres{spheres, among}, threads);
-}
-
-template <class Boxes>
-void CellGrid::sortAll(const Boxes& boxes, ThreadPool& threads) {
+void CellGrid::sort(std::span<btBroadphaseProxy* const> boxes, ThreadPool& threads) {
   layOut(boxes);
   cellOfBox_.resize(boxes.size());
   threads.forRanges(boxes.size(), kLeastRange,
                     [&](std::size_t begin, std::size_t end, std::size_t) {
-                      for (std::size_t i = begin; i < end; ++i) cellOfBox_[i] = cellFor(boxes[i]);
+                      for (std::size_t i = begin; i < end; ++i) cellOfBox_[i] = cellFor(*boxes[i]);
                     });
   large_.clear();
   start_.assign((std::size_t{1} << (bits_[0] + bits_[1] + bits_[2])) + 1, 0);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     if (cellOfBox_[i] == kNoCell)
-      large_.push_back(boxes.numberOf(i));
+      large_.push_back(static_cast<std::uint32_t>(i));
     else
       ++start_[cellOfBox_[i]];
   }
-  assignSlots(boxes);
+  assignSlots();
   const bool areSpheres = content_ == BoxContent::Spheres;
   const std::size_t room = slots() + SortedBoxes::kRoom;
   sorted_.content = content_;
@@ -123,18 +86,16 @@ void CellGrid::sortAll(const Boxes& boxes, ThreadPool& threads) {
   for (auto* numbers : {&sorted_.halfY, &sorted_.halfZ})
     resizeAfresh(*numbers, areSpheres ? 0 : room);
   threads.forRanges(slots(), kLeastRange, [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t slot = begin; slot < end; ++slot)
-      fillSlot(boxes.withNumber(boxOf_[slot]), slot);
+    for (std::size_t slot = begin; slot < end; ++slot) fillSlot(*boxes[boxOf_[slot]], slot);
   });
   blocks_.clear();
 }
 
-template <class Boxes>
-void CellGrid::layOut(const Boxes& boxes) {
+void CellGrid::layOut(std::span<btBroadphaseProxy* const> boxes) {
   const std::size_t stride = strideOf(boxes.size(), kSizeSample);
   double half = 0;
   for (std::size_t i = 0; i < boxes.size(); i += stride)
-    if (const double size = greatestHalfSizeOf(boxes[i]); size <= kLargestLength / 4)
+    if (const double size = greatestHalfSizeOf(*boxes[i]); size <= kLargestLength / 4)
       half = std::max(half, size);
   size_ = half > 0 ? 2 * half * (stride > 1 ? kSizeMargin : 1 + 2 * kCellMargin) : 1;
   inverseSize_ = 1 / size_;
@@ -146,14 +107,13 @@ void CellGrid::layOut(const Boxes& boxes) {
 }
 
 /// The grid covers most boxes once, and has about as many cells as there are boxes.
-template <class Boxes>
-void CellGrid::choosePlace(const Boxes& boxes) {
+void CellGrid::choosePlace(std::span<btBroadphaseProxy* const> boxes) {
   std::array<std::array<double, kPlaceSample>, 3> sample{};
   std::size_t size = 0;
   const std::size_t stride = strideOf(boxes.size(), kPlaceSample);
   for (std::size_t i = 0; i < boxes.size() && size < kPlaceSample; i += stride) {
-    if (!(2 * greatestHalfSizeOf(boxes[i]) <= size_)) continue;
-    const Vec3 center = centerOf(boxes[i]);
+    if (!(2 * greatestHalfSizeOf(*boxes[i]) <= size_)) continue;
+    const Vec3 center = centerOf(*boxes[i]);
     if (!isFinite(center)) continue;
     for (int k = 0; k < 3; ++k) sample[k][size] = center[k];
     ++size;
@@ -185,9 +145,8 @@ std::int64_t CellGrid::numberOfCell(double x) const {
 }
 
 /// kNoCell for one that is to be kept apart.
-template <class Box>
-std::uint32_t CellGrid::cellFor(const Box& box) const {
-  const Vec3& center = centerOf(box);
+std::uint32_t CellGrid::cellFor(const btBroadphaseProxy& box) const {
+  const Vec3 center = centerOf(box);
   std::uint32_t cell = 0;
   for (int k = 2; k >= 0; --k) {
     const double x = center[k] - anchor_[k];
@@ -199,27 +158,25 @@ std::uint32_t CellGrid::cellFor(const Box& box) const {
   return cell;
 }
 
-template <class Boxes>
-void CellGrid::assignSlots(const Boxes& boxes) {
+void CellGrid::assignSlots() {
   std::uint32_t sum = 0;
   for (std::uint32_t& start : start_) sum += std::exchange(start, sum);
   resizeAfresh(cellOf_, sum);
   resizeAfresh(boxOf_, sum);
   // start_[cell] runs to the end of its cell, where the next one's was; then all go back.
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
+  for (std::size_t i = 0; i < cellOfBox_.size(); ++i) {
     const std::uint32_t cell = cellOfBox_[i];
     if (cell == kNoCell) continue;
     const std::uint32_t slot = start_[cell]++;
     cellOf_[slot] = cell;
-    boxOf_[slot] = boxes.numberOf(i);
+    boxOf_[slot] = static_cast<std::uint32_t>(i);
   }
   std::copy_backward(start_.begin(), start_.end() - 1, start_.end());
   start_[0] = 0;
 }
 
-template <class Box>
-void CellGrid::fillSlot(const Box& box, std::size_t slot) {
-  const Vec3& center = centerOf(box);
+void CellGrid::fillSlot(const btBroadphaseProxy& box, std::size_t slot) {
+  const Vec3 center = centerOf(box);
   const std::array places{&sorted_.x, &sorted_.y, &sorted_.z};
   double away = 0;
   double fromOrigin = 0;

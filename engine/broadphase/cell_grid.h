@@ -24,11 +24,6 @@
 
 namespace wells {
 
-struct BoundSphere {
-  Vec3 center = Vec3::Zero();  // m
-  double radius = 0;           // m
-};
-
 /// What was found for a range of slots.
 struct FoundPartners {
   SlotRange slots{};
@@ -43,6 +38,22 @@ struct FoundPartners {
       for (const auto* const end = partners.data() + ends[slot - slots.begin]; at < end; ++at)
         visit(slot, *at);
   }
+
+  /// Drops pairs for which !keep(slot, partner); without a branch for each, because that cannot be
+  /// foretold.
+  template <class Keep>
+  void narrow(Keep keep) {
+    std::uint32_t from = 0;
+    std::uint32_t count = 0;
+    for (std::uint32_t slot = slots.begin; slot < slots.end; ++slot) {
+      std::uint32_t& end = ends[slot - slots.begin];
+      for (; from < end; ++from) {
+        partners[count] = partners[from];
+        count += keep(slot, partners[from]) ? 1 : 0;
+      }
+      end = count;
+    }
+  }
 };
 
 class CellGrid {
@@ -50,10 +61,7 @@ class CellGrid {
   explicit CellGrid(BoxContent content) : content_(content) {}
 
   /// Takes boxes as they are now. O(n).
-  void sort(std::span<btBroadphaseProxy* const> boxes);
-  /// Likewise the spheres with these numbers, all others are not there. O(among).
-  void sort(std::span<const BoundSphere> spheres, std::span<const std::uint32_t> among,
-            ThreadPool& threads);
+  void sort(std::span<btBroadphaseProxy* const> boxes, ThreadPool& threads);
 
   std::uint32_t slots() const { return static_cast<std::uint32_t>(boxOf_.size()); }
   /// By slot: the number of its box in the last sort().
@@ -81,19 +89,11 @@ class CellGrid {
     std::array<std::int64_t, 3> first{}, count{};
   };
 
-  // Boxes: numbered proxies or spheres, see there.
-  template <class Boxes>
-  void sortAll(const Boxes& boxes, ThreadPool& threads);
-  template <class Boxes>
-  void layOut(const Boxes& boxes);
-  template <class Boxes>
-  void choosePlace(const Boxes& boxes);
-  template <class Box>
-  std::uint32_t cellFor(const Box& box) const;
-  template <class Boxes>
-  void assignSlots(const Boxes& boxes);
-  template <class Box>
-  void fillSlot(const Box& box, std::size_t slot);
+  void layOut(std::span<btBroadphaseProxy* const> boxes);
+  void choosePlace(std::span<btBroadphaseProxy* const> boxes);
+  std::uint32_t cellFor(const btBroadphaseProxy& box) const;
+  void assignSlots();
+  void fillSlot(const btBroadphaseProxy& box, std::size_t slot);
   void boundBlocks();
   void addRow(std::uint32_t x, std::uint32_t y, std::uint32_t z, CellSearch& search) const;
   CellSearch around(std::uint32_t cell) const;

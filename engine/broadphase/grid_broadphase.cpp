@@ -8,6 +8,8 @@
 namespace wells {
 namespace {
 
+constexpr std::uint32_t kRange = 1024;  // slots that are searched at a time
+
 Vec3 fromBullet(const btVector3& v) {
   return {v.x(), v.y(), v.z()};
 }
@@ -22,7 +24,8 @@ bool overlap(const btBroadphaseProxy& x, const btBroadphaseProxy& y) {
 
 }  // namespace
 
-GridBroadphase::GridBroadphase(btOverlappingPairCache* cache) : cache_(cache) {}
+GridBroadphase::GridBroadphase(btOverlappingPairCache* cache, BoxContent content)
+    : cache_(cache ? cache : &noCache_), grid_(content) {}
 
 btBroadphaseProxy* GridBroadphase::createProxy(const btVector3& low, const btVector3& high, int,
                                                void* client, int group, int mask, btDispatcher*) {
@@ -100,12 +103,21 @@ void GridBroadphase::calculateOverlappingPairs(btDispatcher* dispatcher) {
   if (!areOld_) return;
   areOld_ = false;
   search();
-  fillCache(dispatcher);
+  if (cache_ != &noCache_) fillCache(dispatcher);
 }
 
 void GridBroadphase::search() {
-  grid_.sort(proxies_);
-  grid_.find({0, grid_.slots()}, found_);
+  grid_.sort(proxies_, *threads_);
+  numberIn_.resize(grid_.slots());
+  found_.resize((grid_.slots() + kRange - 1) / kRange);
+  threads_->forRanges(found_.size(), 1, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (auto n = static_cast<std::uint32_t>(begin); n < end; ++n) {
+      const SlotRange range{n * kRange, std::min((n + 1) * kRange, grid_.slots())};
+      for (std::uint32_t slot = range.begin; slot < range.end; ++slot)
+        numberIn_[slot] = numberOf(*proxyIn(slot));
+      grid_.find(range, found_[n]);
+    }
+  });
   searchLarge();
 }
 
@@ -139,7 +151,8 @@ void GridBroadphase::fillCache(btDispatcher* dispatcher) {
   const auto add = [&](btBroadphaseProxy* x, btBroadphaseProxy* y) {
     if (overlap(*x, *y)) cache_->addOverlappingPair(x, y);
   };
-  found_.forEachPair([&](std::uint32_t x, std::uint32_t y) { add(proxyIn(x), proxyIn(y)); });
+  for (const FoundPartners& found : found_)
+    found.forEachPair([&](std::uint32_t x, std::uint32_t y) { add(proxyIn(x), proxyIn(y)); });
   for (const auto& [x, y] : largePairs_) add(x, y);
   // From the end: the cache fills the place of a pair that goes with the last.
   const btBroadphasePair* const pairs = cache_->getOverlappingPairArrayPtr();

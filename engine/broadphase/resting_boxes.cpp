@@ -2,12 +2,10 @@
 
 #include <BulletCollision/BroadphaseCollision/btDbvt.h>
 
+#include "broadphase/bullet_proxy.h"
+
 namespace wells {
 namespace {
-
-btVector3 toBullet(const Vec3& v) {
-  return {v.x(), v.y(), v.z()};
-}
 
 struct Collector : btDbvt::ICollide {
   std::vector<std::uint32_t>* found = nullptr;

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "broadphase/arena_boxes.h"
+#include "broadphase/ball_collector.h"
 
 namespace wells {
 namespace {
@@ -18,12 +22,6 @@ constexpr int kListsWithoutSkin = 30;
 // steps, had 32 in the step that tried a skin, and 5 without, and that step took three times as
 // long. With 10,000 after 100 steps 20 cost less than a new list in each step.
 constexpr double kMostPairsWithSkin = 24;
-constexpr std::uint32_t kRange = 1024;  // slots that are searched at a time
-
-bool overlap(const BoundSphere& x, const BoundSphere& y) {
-  const double bound = x.radius + y.radius;
-  return squaredLength(y.center - x.center) <= bound * bound;
-}
 
 bool isFiniteBall(const World& world, std::span<const double> reach, std::uint32_t ball) {
   return isFinite(world.balls.position[ball]) && std::isfinite(reach[ball]);
@@ -31,35 +29,48 @@ bool isFiniteBall(const World& world, std::span<const double> reach, std::uint32
 
 }  // namespace
 
+// Those with ground and wall stay: the grid takes its proxies with it.
+SpherePairs::SpherePairs(std::size_t balls, const Arena& arena) : spheres_(balls) {
+  addArena(arena, grid_);
+}
+
 std::int64_t SpherePairs::update(const World& world, std::span<const double> reach,
                                  std::span<const std::uint32_t> among, ThreadPool& threads,
-                                 std::vector<BallPair>& pairs) {
+                                 CandidateLists& lists) {
   if (areKnown(world, reach, among)) {
     ++stepsServed_;
     areReaches_ = false;
-    if (removed_ > 0)
-      std::erase_if(pairs,
-                    [&](const BallPair& pair) { return !isThere(pair.a) || !isThere(pair.b); });
+    if (removed_ > 0) forget(lists);
     return static_cast<std::int64_t>(std::exchange(removed_, 0));
   }
-  setSpheres(world, reach, among, pairs.size());
+  setSpheres(world, reach, among, lists.ballPairs.size());
   search(threads);
-  list(threads, pairs);
+  list(threads, lists);
   removed_ = 0;
   return static_cast<std::int64_t>(among.size());
 }
 
 void SpherePairs::remove(std::span<const std::uint32_t> balls) {
-  for (const std::uint32_t i : balls) spheres_[i].radius = kAbsent;
+  for (const std::uint32_t i : balls) removeSphere(i);
   removed_ += balls.size();
 }
 
+void SpherePairs::removeSphere(std::uint32_t ball) {
+  btBroadphaseProxy*& proxy = spheres_[ball].proxy;
+  if (proxy) grid_.destroyProxy(std::exchange(proxy, nullptr), nullptr);
+}
+
+/// Balls that are gone.
+void SpherePairs::forget(CandidateLists& lists) const {
+  std::erase_if(lists.ballPairs,
+                [&](const BallPair& pair) { return !isThere(pair.a) || !isThere(pair.b); });
+  for (auto* list : {&lists.nearGround, &lists.nearWall})
+    std::erase_if(*list, [&](std::uint32_t ball) { return !isThere(ball); });
+}
+
 void SpherePairs::findIn(const Vec3& low, const Vec3& high, std::vector<std::uint32_t>& found) {
-  grid_.findIn(low, high, near_);
-  for (const std::uint32_t slot : near_)
-    if (const std::uint32_t i = grid_.boxOf()[slot]; isThere(i)) found.push_back(i);
-  for (const std::uint32_t i : grid_.large())
-    if (isThere(i)) found.push_back(i);
+  BallCollector collector(found);
+  grid_.aabbTest(toBullet(low), toBullet(high), collector);
 }
 
 /// Whether no pair of these balls can be missing.
@@ -67,9 +78,10 @@ bool SpherePairs::areKnown(const World& world, std::span<const double> reach,
                            std::span<const std::uint32_t> among) const {
   return std::ranges::all_of(among, [&](std::uint32_t i) {
     if (!isFiniteBall(world, reach, i)) return !isThere(i);
-    const auto& [center, radius] = spheres_[i];
-    const double margin = radius - (world.balls.radius[i] + reach[i]);
-    return margin >= 0 && squaredLength(world.balls.position[i] - center) <= margin * margin;
+    const BoundSphere& sphere = spheres_[i];
+    const double margin = sphere.radius - (world.balls.radius[i] + reach[i]);
+    return sphere.proxy && margin >= 0 &&
+           squaredLength(world.balls.position[i] - sphere.center) <= margin * margin;
   });
 }
 
@@ -84,7 +96,8 @@ void SpherePairs::setSpheres(const World& world, std::span<const double> reach,
       const double skin =
           hasSkin ? kSkin * balls.radius[i] + skinTime * length(balls.velocity[i]) : 0;
       const double radius = balls.radius[i] + reach[i] + skin;
-      spheres_[i] = {balls.position[i], radius};
+      spheres_[i].center = balls.position[i];
+      spheres_[i].radius = radius;
       volume += radius * radius * radius;
     }
     return volume;
@@ -94,7 +107,7 @@ void SpherePairs::setSpheres(const World& world, std::span<const double> reach,
     if (isFiniteBall(world, reach, i))
       there_.push_back(i);
     else
-      spheres_[i].radius = kAbsent;
+      removeSphere(i);
   }
   const double before = volume_;
   areReaches_ = !nextHasSkin();
@@ -119,58 +132,47 @@ bool SpherePairs::nextHasSkin() {
 }
 
 void SpherePairs::search(ThreadPool& threads) {
-  grid_.sort(spheres_, there_, threads);
-  found_.resize((grid_.slots() + kRange - 1) / kRange);
-  threads.forRanges(found_.size(), 1, [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (auto n = static_cast<std::uint32_t>(begin); n < end; ++n)
-      findBalls({n * kRange, std::min((n + 1) * kRange, grid_.slots())}, found_[n]);
-  });
-  searchLarge();
-}
-
-/// Balls instead of slots; of what the grid finds in single precision those that overlap, unless
-/// pairs are to be narrowed anyway.
-void SpherePairs::findBalls(SlotRange range, FoundPartners& found) const {
-  grid_.find(range, found);
-  const std::uint32_t* const ball = grid_.boxOf().data();
-  std::uint32_t from = 0;
-  std::uint32_t count = 0;
-  for (std::uint32_t slot = range.begin; slot < range.end; ++slot) {
-    const BoundSphere& sphere = spheres_[ball[slot]];
-    std::uint32_t& end = found.ends[slot - range.begin];
-    for (; from < end; ++from) {
-      const std::uint32_t partner = ball[found.partners[from]];
-      found.partners[count] = partner;
-      count += !areReaches_ || overlap(sphere, spheres_[partner]) ? 1 : 0;
-    }
-    end = count;
-  }
-}
-
-void SpherePairs::searchLarge() {
-  largePairs_.clear();
-  const auto large = grid_.large();
-  for (std::size_t n = 0; n < large.size(); ++n) {
-    const BoundSphere& sphere = spheres_[large[n]];
+  for (const std::uint32_t i : there_) {
+    BoundSphere& sphere = spheres_[i];
     const Vec3 half = Vec3::Constant(sphere.radius);
-    grid_.findIn(sphere.center - half, sphere.center + half, near_);
-    for (const std::uint32_t slot : near_)
-      if (const std::uint32_t i = grid_.boxOf()[slot]; overlap(sphere, spheres_[i]))
-        largePairs_.push_back({large[n], i});
-    for (const std::uint32_t i : large.first(n))
-      if (overlap(sphere, spheres_[i])) largePairs_.push_back({large[n], i});
+    const btVector3 low = toBullet(sphere.center - half);
+    const btVector3 high = toBullet(sphere.center + half);
+    if (sphere.proxy)
+      grid_.setAabb(sphere.proxy, low, high, nullptr);
+    else
+      sphere.proxy = grid_.createProxy(low, high, 0, asClient(i), kBallGroup, kBallMask, nullptr);
   }
+  grid_.setThreads(&threads);
+  grid_.calculateOverlappingPairs(nullptr);
+  grid_.setThreads(nullptr);
 }
 
-void SpherePairs::list(ThreadPool& threads, std::vector<BallPair>& pairs) {
-  const auto ball = grid_.boxOf();
-  const auto forEachIn = [&](std::size_t range, auto visit) {
-    if (range == found_.size())
-      for (const auto& [x, y] : largePairs_) visit(x, y);
-    else
-      found_[range].forEachPair([&](std::uint32_t slot, std::uint32_t y) { visit(ball[slot], y); });
+// The grid compares in single precision. Pairs that are to be narrowed anyway may stay.
+void SpherePairs::list(ThreadPool& threads, CandidateLists& lists) {
+  const auto overlap = [&](std::uint32_t x, std::uint32_t y) {
+    const double bound = spheres_[x].radius + spheres_[y].radius;
+    return squaredLength(spheres_[y].center - spheres_[x].center) <= bound * bound;
   };
-  sorter_.sort(spheres_.size(), found_.size() + 1, threads, forEachIn, pairs);
+  grid_.setThreads(&threads);
+  if (areReaches_) grid_.narrow(overlap);
+  grid_.setThreads(nullptr);
+  lists.nearGround.clear();
+  lists.nearWall.clear();
+  const std::size_t large = grid_.ranges() - 1;
+  grid_.forEachPairIn(large, [&](std::uint32_t x, std::uint32_t y) {
+    const std::uint32_t upper = std::max(x, y);
+    if (!isBall(upper))
+      (upper == kGround ? lists.nearGround : lists.nearWall).push_back(std::min(x, y));
+  });
+  sorter_.sort(
+      spheres_.size(), grid_.ranges(), threads,
+      [&](std::size_t range, auto visit) {
+        grid_.forEachPairIn(range, [&](std::uint32_t x, std::uint32_t y) {
+          // Ground and wall are in no cell.
+          if (range < large || (isBall(std::max(x, y)) && overlap(x, y))) visit(x, y);
+        });
+      },
+      lists.ballPairs);
 }
 
 }  // namespace wells

@@ -1,7 +1,7 @@
-// Which balls may touch, by a grid of cells (cell_grid.h): those whose spheres overlap. A sphere
-// holds the ball wherever it may get in the step, and a skin, so that one list of pairs serves
-// several steps; when one ball leaves its sphere, all are set anew. For balls of about the same
-// size.
+// Which balls may touch what, by a grid behind Bullet's interface (grid_broadphase.h): those whose
+// spheres overlap. A sphere holds the ball wherever it may get in the step, and a skin, so that one
+// list of pairs serves several steps; when one ball leaves its sphere, all are set anew. For balls
+// of about the same size.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "broadphase/ball_pair.h"
-#include "broadphase/cell_grid.h"
+#include "broadphase/grid_broadphase.h"
 #include "state/world.h"
 #include "threads/thread_pool.h"
 
@@ -17,12 +17,12 @@ namespace wells {
 
 class SpherePairs {
  public:
-  explicit SpherePairs(std::size_t balls) : spheres_(balls, {.radius = kAbsent}) {}
+  SpherePairs(std::size_t balls, const Arena& arena);
 
   /// As Broadphase::update() has it. Returns how many spheres were set or removed.
   std::int64_t update(const World& world, std::span<const double> reach,
                       std::span<const std::uint32_t> among, ThreadPool& threads,
-                      std::vector<BallPair>& pairs);
+                      CandidateLists& lists);
 
   /// As Broadphase::areNear() has it.
   bool areNear() const { return areReaches_; }
@@ -33,31 +33,32 @@ class SpherePairs {
   void findIn(const Vec3& low, const Vec3& high, std::vector<std::uint32_t>& found);
 
  private:
-  static constexpr double kAbsent = -1;  // for a radius
+  struct BoundSphere {
+    Vec3 center = Vec3::Zero();          // m
+    double radius = 0;                   // m
+    btBroadphaseProxy* proxy = nullptr;  // null: the ball is in no pair
+  };
 
-  bool isThere(std::uint32_t ball) const { return spheres_[ball].radius >= 0; }
+  bool isThere(std::uint32_t ball) const { return spheres_[ball].proxy != nullptr; }
   bool areKnown(const World& world, std::span<const double> reach,
                 std::span<const std::uint32_t> among) const;
   void setSpheres(const World& world, std::span<const double> reach,
                   std::span<const std::uint32_t> among, std::size_t pairs);
+  void removeSphere(std::uint32_t ball);
   bool nextHasSkin();
   void search(ThreadPool& threads);
-  void findBalls(SlotRange range, FoundPartners& found) const;
-  void searchLarge();
-  void list(ThreadPool& threads, std::vector<BallPair>& pairs);
+  void list(ThreadPool& threads, CandidateLists& lists);
+  void forget(CandidateLists& lists) const;
 
+  GridBroadphase grid_{nullptr, BoxContent::Spheres};
   std::vector<BoundSphere> spheres_;  // by ball
   bool areReaches_ = false;           // of the last update, no larger
   std::size_t removed_ = 0;           // since the pairs were listed
   int stepsServed_ = 0;               // by the present list
   int listsWithoutSkin_ = 0;          // that are to follow
   double volume_ = 0;                 // m^3, of the cubes of its radii; 0: there is none
-  // Of the present list.
-  CellGrid grid_{BoxContent::Spheres};
-  std::vector<FoundPartners> found_;
-  std::vector<BallPair> largePairs_;
   PairSorter sorter_;
-  std::vector<std::uint32_t> there_, near_;  // scratch
+  std::vector<std::uint32_t> there_;  // scratch
 };
 
 }  // namespace wells

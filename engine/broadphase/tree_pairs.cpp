@@ -2,11 +2,13 @@
 
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
-// Bullet's two builds share their headers; a forgotten BT_USE_DOUBLE_PRECISION would link and then
-// read floats as doubles.
-static_assert(sizeof(btScalar) == sizeof(double), "the broadphase needs Bullet's double build");
+#include "broadphase/arena_boxes.h"
+#include "broadphase/ball_collector.h"
+#include "broadphase/bullet_proxy.h"
 
 namespace wells {
 namespace {
@@ -20,35 +22,16 @@ constexpr double kAhead = 4;
 // Each ball that is removed costs a look at all pairs; where more are, the tree is built afresh.
 constexpr std::size_t kMostRemoved = 16;
 
-btVector3 toBullet(const Vec3& v) {
-  return {v.x(), v.y(), v.z()};
-}
-
-// Which ball a proxy stands for is kept in Bullet's user pointer.
-void* asClient(std::uint32_t ball) {
-  return reinterpret_cast<void*>(std::uintptr_t{ball});
-}
-
-std::uint32_t ballOf(const btBroadphaseProxy* proxy) {
-  return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(proxy->m_clientObject));
-}
-
-struct Collector : btBroadphaseAabbCallback {
-  std::vector<std::uint32_t>* found = nullptr;
-
-  bool process(const btBroadphaseProxy* proxy) override {
-    found->push_back(ballOf(proxy));
-    return true;
-  }
-};
-
 }  // namespace
 
 struct TreePairs::Tree {
   btDbvtBroadphase broadphase;
+  Arena arena;
+  std::vector<btBroadphaseProxy*> ofArena;
   std::vector<btBroadphaseProxy*> ofBall;  // null: in no pair
 
-  explicit Tree(std::size_t balls) : ofBall(balls, nullptr) {
+  Tree(std::size_t balls, const Arena& its)
+      : arena(its), ofArena(addArena(its, broadphase)), ofBall(balls, nullptr) {
     broadphase.m_deferedcollide = true;  // one pass over the trees instead of one per proxy
   }
   Tree(const Tree&) = delete;
@@ -58,6 +41,7 @@ struct TreePairs::Tree {
   // search all of them for its own.
   ~Tree() {
     pairs().clear();
+    for (auto* const proxy : ofArena) broadphase.destroyProxy(proxy, nullptr);
     for (auto* const proxy : ofBall)
       if (proxy) broadphase.destroyProxy(proxy, nullptr);
   }
@@ -67,12 +51,13 @@ struct TreePairs::Tree {
   }
 };
 
-TreePairs::TreePairs(std::size_t balls) : tree_(std::make_unique<Tree>(balls)) {}
+TreePairs::TreePairs(std::size_t balls, const Arena& arena)
+    : tree_(std::make_unique<Tree>(balls, arena)) {}
 TreePairs::~TreePairs() = default;
 
 std::int64_t TreePairs::update(const World& world, std::span<const double> reach,
                                std::span<const std::uint32_t> among, ThreadPool& threads,
-                               std::vector<BallPair>& pairs) {
+                               CandidateLists& lists) {
   for (const std::uint32_t i : among) {
     if (isFinite(world.balls.position[i]) && std::isfinite(reach[i]))
       setBox(world, reach[i], i);
@@ -83,11 +68,21 @@ std::int64_t TreePairs::update(const World& world, std::span<const double> reach
   if (moved_ == 0) return 0;
   tree_->broadphase.calculateOverlappingPairs(nullptr);
   const btBroadphasePairArray& found = tree_->pairs();
+  lists.nearGround.clear();
+  lists.nearWall.clear();
+  for (int n = 0; n < found.size(); ++n) {
+    const auto [lower, upper] =
+        std::minmax({numberOf(*found[n].m_pProxy0), numberOf(*found[n].m_pProxy1)});
+    if (!isBall(upper)) (upper == kGround ? lists.nearGround : lists.nearWall).push_back(lower);
+  }
   const auto forEachIn = [&](std::size_t, auto visit) {
-    for (int n = 0; n < found.size(); ++n)
-      visit(ballOf(found[n].m_pProxy0), ballOf(found[n].m_pProxy1));
+    for (int n = 0; n < found.size(); ++n) {
+      const std::uint32_t x = numberOf(*found[n].m_pProxy0);
+      const std::uint32_t y = numberOf(*found[n].m_pProxy1);
+      if (isBall(std::max(x, y))) visit(x, y);
+    }
   };
-  sorter_.sort(tree_->ofBall.size(), 1, threads, forEachIn, pairs);
+  sorter_.sort(tree_->ofBall.size(), 1, threads, forEachIn, lists.ballPairs);
   return std::exchange(moved_, 0);
 }
 
@@ -102,7 +97,8 @@ void TreePairs::setBox(const World& world, double reach, std::uint32_t ball) {
   const btVector3 fatLow = toBullet(x - fat + ahead.cwiseMin(0));
   const btVector3 fatHigh = toBullet(x + fat + ahead.cwiseMax(0));
   if (!proxy) {
-    proxy = tree_->broadphase.createProxy(fatLow, fatHigh, 0, asClient(ball), 1, 1, nullptr);
+    proxy = tree_->broadphase.createProxy(fatLow, fatHigh, 0, asClient(ball), kBallGroup, kBallMask,
+                                          nullptr);
     ++moved_;
     return;
   }
@@ -119,7 +115,7 @@ void TreePairs::setBox(const World& world, double reach, std::uint32_t ball) {
 void TreePairs::remove(std::span<const std::uint32_t> balls) {
   if (balls.size() > kMostRemoved) {
     moved_ += static_cast<std::int64_t>(balls.size());
-    tree_ = std::make_unique<Tree>(tree_->ofBall.size());
+    tree_ = std::make_unique<Tree>(tree_->ofBall.size(), tree_->arena);
     return;
   }
   for (const std::uint32_t i : balls) removeBox(i);
@@ -134,8 +130,7 @@ void TreePairs::removeBox(std::uint32_t ball) {
 }
 
 void TreePairs::findIn(const Vec3& low, const Vec3& high, std::vector<std::uint32_t>& found) {
-  Collector collector;
-  collector.found = &found;
+  BallCollector collector(found);
   tree_->broadphase.aabbTest(toBullet(low), toBullet(high), collector);
 }
 

@@ -1,6 +1,6 @@
-// Which balls may touch, by Bullet's tree of boxes (btDbvtBroadphase): those whose boxes overlap. A
-// box holds the ball wherever it may get in the step, is fattened and reaches ahead, and is set
-// anew only when the ball leaves it. For balls of any sizes.
+// Which balls may touch what, by Bullet's tree of boxes (btDbvtBroadphase): those whose boxes
+// overlap. A box holds the ball wherever it may get in the step, is fattened and reaches ahead, and
+// is set anew only when the ball leaves it. For balls of any sizes.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace wells {
 
 class TreePairs {
  public:
-  explicit TreePairs(std::size_t balls);
+  TreePairs(std::size_t balls, const Arena& arena);
   ~TreePairs();
   TreePairs(const TreePairs&) = delete;
   TreePairs& operator=(const TreePairs&) = delete;
@@ -23,7 +23,7 @@ class TreePairs {
   /// As Broadphase::update() has it. Returns how many boxes were set or removed.
   std::int64_t update(const World& world, std::span<const double> reach,
                       std::span<const std::uint32_t> among, ThreadPool& threads,
-                      std::vector<BallPair>& pairs);
+                      CandidateLists& lists);
 
   void remove(std::span<const std::uint32_t> balls);
 

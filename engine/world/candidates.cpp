@@ -15,7 +15,9 @@ namespace {
 
 constexpr std::size_t kLeastRange = 16384;  // balls or pairs, that a thread looks at
 
-constexpr double kSurelyInside = 1 - 1e-9;  // of a distance that was rounded
+// Of Candidates::nearArena_.
+constexpr std::uint8_t kNearGround = 1;
+constexpr std::uint8_t kNearWall = 2;
 
 /// Fills the list with what find(n, place) puts there, up to `most` pairs for each n < count, whose
 /// number it returns; without a branch for each, because whether a pair is near cannot be foretold.
@@ -69,7 +71,8 @@ void Candidates::find(const World& world, std::span<const double> reach,
 
 std::int64_t Candidates::pairs() const {
   if (areFew_) return static_cast<std::int64_t>(ballPairs_.size() + arenaPairs_.size());
-  return static_cast<std::int64_t>(broadphase_.ballPairs().size() + arenaPairs_.size());
+  return static_cast<std::int64_t>(broadphase_.ballPairs().size() +
+                                   broadphase_.nearGround().size() + broadphase_.nearWall().size());
 }
 
 void Candidates::findBalls(ThreadPool& threads) {
@@ -171,25 +174,23 @@ void Candidates::findBallsAndLeaning(const World& world) {
 
 void Candidates::findArena(const World& world, std::span<const double> reach,
                            std::span<const std::uint32_t> among, ThreadPool& threads) {
+  nearArena_.resize(world.balls.size());
+  for (const std::uint32_t i : among) nearArena_[i] = 0;
+  for (const std::uint32_t i : broadphase_.nearGround()) nearArena_[i] |= kNearGround;
+  // A ball near two pieces of the wall stands twice.
+  for (const std::uint32_t i : broadphase_.nearWall()) nearArena_[i] |= kNearWall;
   static_assert(kWall < kGround, "pairs are in order of (a, b)");
   resizeAfresh(arenaPairs_, 2 * among.size());
-  const Arena& arena = world.arena;
   collect(among.size(), threads, 2, arenaPairs_, [&](std::size_t n, BallPair* found) {
     const std::uint32_t i = among[n];
-    const auto [center, within] = spheres_[i];
-    const double x = center.x() - arena.center.x();
-    const double z = center.z() - arena.center.z();
-    // Most are far from the wall, and need no root for that.
-    const double inner = kSurelyInside * (arena.radius - within);
-    const bool isFar = inner > 0 && x * x + z * z < inner * inner;
-    const auto mayTouch = [&](std::uint32_t partner) {
-      return mayTouchArena(arena, center, world.balls.radius[i], reach[i], partner);
+    const auto mayTouch = [&](std::uint8_t near, std::uint32_t partner) {
+      return (nearArena_[i] & near) != 0 && mayTouchArena(world.arena, world.balls.position[i],
+                                                          world.balls.radius[i], reach[i], partner);
     };
-    const bool isIn = isFinite(center) && std::isfinite(within);
     found[0] = {i, kWall};
-    const std::size_t walls = isIn && !isFar && mayTouch(kWall) ? 1 : 0;
+    const std::size_t walls = mayTouch(kNearWall, kWall) ? 1 : 0;
     found[walls] = {i, kGround};
-    return walls + (isIn && mayTouch(kGround) ? 1 : 0);
+    return walls + (mayTouch(kNearGround, kGround) ? 1 : 0);
   });
 }
 

@@ -52,8 +52,7 @@ class Candidates {
   /// compute. Here such balls only stop falling, because what holds them is not known.
   std::span<const std::uint8_t> isLeaning() const { return isLeaning_; }
 
-  /// Pairs of the broadphase and those with the arena; without a broadphase, because balls are few,
-  /// all that were found.
+  /// Pairs of the broadphase; where there is none, because balls are few, all that were found.
   std::int64_t pairs() const;
 
  private:
@@ -88,6 +87,7 @@ class Candidates {
   std::vector<BallPair> leaningPairs_;
   // By ball; only those of the last find() are valid.
   std::vector<std::uint8_t> isLeaning_;
+  std::vector<std::uint8_t> nearArena_;  // bits
   std::vector<Sphere> spheres_;
   // Of the last findSurprised().
   std::vector<std::vector<std::uint32_t>> beyond_;  // by range of balls

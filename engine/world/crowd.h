@@ -45,6 +45,13 @@ class Crowd {
   void setClock(StageClock* clock) { clock_ = clock; }
 
  private:
+  /// So that small changes take no memory.
+  template <class Record>
+  static void makeRoomFor(std::vector<Record>& records, std::size_t count) {
+    if (records.size() >= count) return;
+    records.reserve(count + count / 8 + 64);  // resize() would double it
+    records.resize(records.capacity());
+  }
   /// Those blocks of a worker that it has filled with a batch.
   struct Part {
     std::size_t first = 0;
@@ -69,10 +76,13 @@ class Crowd {
     std::span<const std::uint32_t> late;  // of these, far pairs
   };
 
+  // Exchange with the world (crowd_exchange.cpp).
   void gather(std::span<const std::uint32_t> ids, const Balls& balls, ThreadPool& pool);
   void findContacts(const CrowdInput& in, ThreadPool& pool);
   void makeRoomForLasting();
   void startFrom(const ContactMemory& memory, ThreadPool& pool);
+  void scatter(std::span<const std::uint32_t> ids, Balls& balls) const;
+
   void planGroups();
   CrowdArrays arraysOf(std::size_t thread);
   // By all threads.
@@ -106,7 +116,6 @@ class Crowd {
     }
   }
   CrowdSubstep substepOfAll() const;
-  void scatter(std::span<const std::uint32_t> ids, Balls& balls) const;
 
   // Booking (crowd_books.cpp), from states between the parts of a substep; `balls` get these.
   struct Booking {

@@ -86,7 +86,7 @@ class Bench(unittest.TestCase):
         rows = self.read(folder / "speed.csv")
         methods = ["stock Bullet", "ours", "ours on 2 threads", "ours substep", "ours exact"]
         self.assertEqual([(row["scene"], row["method"]) for row in rows],
-                         [("T1-25", method) for method in methods + ["ours substep 2x3"]] +
+                         [("T1-25", method) for method in methods + ["ours substep 1x4 leapfrog"]] +
                          [("T3-10000", method) for method in methods])
         self.assertEqual({row["escaped"] for row in rows}, {"0"})
         self.assertEqual(rows[1]["rounds"], "2")
@@ -119,7 +119,7 @@ class Bench(unittest.TestCase):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         bullet, *ours = self.read(folder / "speed.csv")
         self.assertEqual((bullet["ball_bound_m"], bullet["verdict"]), ("", ""))
-        bounds = {"ours 3x2": 0.086, "ours 4x2": 0.049}
+        bounds = {"ours 3x3 leapfrog": 0.086, "ours 4x2 leapfrog": 0.049}
         self.assertEqual([row["method"] for row in ours], ["ours", "ours substep", "ours exact", *bounds])
         for row in ours:
             bound = bounds.get(row["method"], float(bullet["ball_overlap_m"]))

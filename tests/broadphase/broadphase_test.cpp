@@ -43,6 +43,15 @@ void expectComplete(const World& world, const std::vector<double>& reach, const 
   }
   for (const auto& pair : bruteForce(world, reach))
     EXPECT_TRUE(listed.contains(pair)) << pair.first << " " << pair.second;
+
+  const std::set<std::uint32_t> ground(found.nearGround().begin(), found.nearGround().end());
+  const std::set<std::uint32_t> wall(found.nearWall().begin(), found.nearWall().end());
+  for (std::uint32_t i = 0; i < world.balls.size(); ++i) {
+    const Vec3 d = world.balls.position[i] - world.arena.center;
+    const double r = world.balls.radius[i] + reach[i];
+    EXPECT_TRUE(d.y() > r || ground.contains(i)) << i;
+    EXPECT_TRUE(std::hypot(d.x(), d.z()) + r < world.arena.radius || wall.contains(i)) << i;
+  }
 }
 
 // Balls with radii between the two, at random in and around the arena.
@@ -135,6 +144,7 @@ TEST_P(EachBroadphase, LeavesOutWhatIsNotFiniteAndTakesItBack) {
   world.balls.position[3].y() = std::numeric_limits<double>::quiet_NaN();
   broadphase.update(world, reach, allOf(world));
   for (const BallPair& pair : broadphase.ballPairs()) EXPECT_TRUE(pair.a != 3 && pair.b != 3);
+  for (const std::uint32_t i : broadphase.nearGround()) EXPECT_NE(i, 3u);
   world.balls.position[3] = place;
   broadphase.update(world, reach, allOf(world));
   expectComplete(world, reach, broadphase);
@@ -169,6 +179,8 @@ TEST_P(EachBroadphase, LeavesOutWhatWasRemoved) {
     }
     for (const auto& pair : bruteForce(world, reach))
       EXPECT_TRUE(pair.first < count || listed.contains(pair)) << pair.first << " " << pair.second;
+    for (const std::uint32_t i : broadphase.nearGround()) EXPECT_GE(i, count);
+    for (const std::uint32_t i : broadphase.nearWall()) EXPECT_GE(i, count);
     broadphase.update(world, reach, allOf(world));
     expectComplete(world, reach, broadphase);
   }

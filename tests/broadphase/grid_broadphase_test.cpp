@@ -21,10 +21,6 @@ using IdPairs = std::set<std::pair<int, int>>;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-btVector3 toBullet(const Vec3& v) {
-  return {v.x(), v.y(), v.z()};
-}
-
 std::pair<int, int> idsOf(const btBroadphaseProxy& x, const btBroadphaseProxy& y) {
   return std::minmax(x.getUid(), y.getUid());
 }
@@ -174,6 +170,38 @@ TEST(GridBroadphase, PairsAsGroupsAndMasksSay) {
   for (int step = 0; step < 10; ++step, boxes.move(0.3)) boxes.expectAll();
 }
 
+// Without a cache, there are no filters: as if all groups collided. Those that are narrowed are
+// gone.
+TEST(GridBroadphase, ListsPairsWithoutACache) {
+  GridBroadphase flat(nullptr);
+  Boxes boxes(5);
+  for (int i = 0; i < 500; ++i) boxes.addNear(Vec3::Zero(), 8, 0.3, i == 0 ? 9 : 0.6);
+  std::vector<btBroadphaseProxy*> proxies;
+  for (const btBroadphaseProxy* const box : boxes.proxies())
+    proxies.push_back(flat.createProxy(box->m_aabbMin, box->m_aabbMax, 0,
+                                       asClient(static_cast<std::uint32_t>(proxies.size() + 1)), 1,
+                                       1, nullptr));
+  ThreadPool pool(2);
+  flat.setThreads(&pool);
+  flat.calculateOverlappingPairs(nullptr);
+  const auto listed = [&] {
+    IdPairs found;
+    for (std::size_t range = 0; range < flat.ranges(); ++range)
+      flat.forEachPairIn(range, [&](std::uint32_t x, std::uint32_t y) {
+        EXPECT_TRUE(found.insert(std::minmax(static_cast<int>(x), static_cast<int>(y))).second);
+      });
+    return found;
+  };
+  const IdPairs all = listed();
+  for (const auto& pair : bruteForce(proxies)) EXPECT_TRUE(all.contains(pair));
+  const auto isKept = [](std::uint32_t x, std::uint32_t y) { return (x + y) % 3 != 0; };
+  flat.narrow(isKept);
+  IdPairs kept;
+  for (const auto& [x, y] : all)
+    if (isKept(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y))) kept.insert({x, y});
+  EXPECT_EQ(listed(), kept);
+}
+
 // Cells cost memory in proportion to the boxes, wherever these are.
 TEST(GridBroadphase, StaysSmallWhereverBoxesAre) {
   CellGrid grid(BoxContent::Anything);
@@ -186,7 +214,8 @@ TEST(GridBroadphase, StaysSmallWhereverBoxesAre) {
     box.m_aabbMax = at + btVector3(0.5, 0.5, 0.5);
     pointers.push_back(&box);
   }
-  grid.sort(pointers);
+  ThreadPool alone;
+  grid.sort(pointers, alone);
   EXPECT_LE(grid.cells(), 2048u);
 }
 
