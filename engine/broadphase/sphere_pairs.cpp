@@ -30,7 +30,8 @@ bool isFiniteBall(const World& world, std::span<const double> reach, std::uint32
 }  // namespace
 
 // Those with ground and wall stay: the grid takes its proxies with it.
-SpherePairs::SpherePairs(std::size_t balls, const Arena& arena) : spheres_(balls) {
+SpherePairs::SpherePairs(std::size_t balls, const Arena& arena)
+    : spheres_(balls), proxies_(balls, nullptr) {
   addArena(arena, grid_);
 }
 
@@ -56,7 +57,7 @@ void SpherePairs::remove(std::span<const std::uint32_t> balls) {
 }
 
 void SpherePairs::removeSphere(std::uint32_t ball) {
-  btBroadphaseProxy*& proxy = spheres_[ball].proxy;
+  btBroadphaseProxy*& proxy = proxies_[ball];
   if (proxy) grid_.destroyProxy(std::exchange(proxy, nullptr), nullptr);
 }
 
@@ -80,7 +81,7 @@ bool SpherePairs::areKnown(const World& world, std::span<const double> reach,
     if (!isFiniteBall(world, reach, i)) return !isThere(i);
     const BoundSphere& sphere = spheres_[i];
     const double margin = sphere.radius - (world.balls.radius[i] + reach[i]);
-    return sphere.proxy && margin >= 0 &&
+    return isThere(i) && margin >= 0 &&
            squaredLength(world.balls.position[i] - sphere.center) <= margin * margin;
   });
 }
@@ -133,14 +134,14 @@ bool SpherePairs::nextHasSkin() {
 
 void SpherePairs::search(ThreadPool& threads) {
   for (const std::uint32_t i : there_) {
-    BoundSphere& sphere = spheres_[i];
+    const BoundSphere& sphere = spheres_[i];
     const Vec3 half = Vec3::Constant(sphere.radius);
     const btVector3 low = toBullet(sphere.center - half);
     const btVector3 high = toBullet(sphere.center + half);
-    if (sphere.proxy)
-      grid_.setAabb(sphere.proxy, low, high, nullptr);
+    if (btBroadphaseProxy*& proxy = proxies_[i]; proxy)
+      grid_.setAabb(proxy, low, high, nullptr);
     else
-      sphere.proxy = grid_.createProxy(low, high, 0, asClient(i), kBallGroup, kBallMask, nullptr);
+      proxy = grid_.createProxy(low, high, 0, asClient(i), kBallGroup, kBallMask, nullptr);
   }
   grid_.setThreads(&threads);
   grid_.calculateOverlappingPairs(nullptr);

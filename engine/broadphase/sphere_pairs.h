@@ -34,12 +34,11 @@ class SpherePairs {
 
  private:
   struct BoundSphere {
-    Vec3 center = Vec3::Zero();          // m
-    double radius = 0;                   // m
-    btBroadphaseProxy* proxy = nullptr;  // null: the ball is in no pair
+    Vec3 center = Vec3::Zero();  // m
+    double radius = 0;           // m
   };
 
-  bool isThere(std::uint32_t ball) const { return spheres_[ball].proxy != nullptr; }
+  bool isThere(std::uint32_t ball) const { return proxies_[ball] != nullptr; }
   bool areKnown(const World& world, std::span<const double> reach,
                 std::span<const std::uint32_t> among) const;
   void setSpheres(const World& world, std::span<const double> reach,
@@ -51,12 +50,13 @@ class SpherePairs {
   void forget(CandidateLists& lists) const;
 
   GridBroadphase grid_{nullptr, BoxContent::Spheres};
-  std::vector<BoundSphere> spheres_;  // by ball
-  bool areReaches_ = false;           // of the last update, no larger
-  std::size_t removed_ = 0;           // since the pairs were listed
-  int stepsServed_ = 0;               // by the present list
-  int listsWithoutSkin_ = 0;          // that are to follow
-  double volume_ = 0;                 // m^3, of the cubes of its radii; 0: there is none
+  std::vector<BoundSphere> spheres_;         // by ball
+  std::vector<btBroadphaseProxy*> proxies_;  // by ball; null: it is in no pair
+  bool areReaches_ = false;                  // of the last update, no larger
+  std::size_t removed_ = 0;                  // since the pairs were listed
+  int stepsServed_ = 0;                      // by the present list
+  int listsWithoutSkin_ = 0;                 // that are to follow
+  double volume_ = 0;                        // m^3, of the cubes of its radii; 0: there is none
   PairSorter sorter_;
   std::vector<std::uint32_t> there_;  // scratch
 };
