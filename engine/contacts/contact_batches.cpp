@@ -49,11 +49,7 @@ void ContactBatches::split(const PairsByBall& near, std::span<const BallPair> ar
   near_ = near;
   balls_ = static_cast<std::uint32_t>(near_.firstOf.size() - 1);
   tiles_ = (balls_ + kTileBalls - 1) / kTileBalls;
-  ofArena_.resize(arena.size());
-  std::ranges::transform(arena, ofArena_.begin(), [&](const BallPair& pair) {
-    return ArenaPair{place[pair.a], pair.b};
-  });
-  std::ranges::sort(ofArena_, isBefore);
+  listArena(arena, place);
 
   slot_.resize(near_.pairs.size() + ofArena_.size());
   between_.resize(near_.pairs.size());
@@ -70,6 +66,21 @@ void ContactBatches::split(const PairsByBall& near, std::span<const BallPair> ar
   forTiles([&](std::uint32_t tile) { placeTile(tile); });
   placeOthers();
   setLate({});
+}
+
+// In order of the balls, which are more than the pairs.
+void ContactBatches::listArena(std::span<const BallPair> arena,
+                               std::span<const std::uint32_t> place) {
+  constexpr std::uint8_t kWithWall = 1;
+  constexpr std::uint8_t kWithGround = 2;
+  withArena_.assign(balls_, 0);
+  for (const auto& [a, partner] : arena)
+    withArena_[place[a]] |= partner == kWall ? kWithWall : kWithGround;
+  ofArena_.clear();
+  for (std::uint32_t k = 0; k < balls_; ++k) {
+    if (withArena_[k] & kWithWall) ofArena_.push_back({k, kWall});
+    if (withArena_[k] & kWithGround) ofArena_.push_back({k, kGround});
+  }
 }
 
 IndexRange ContactBatches::pairsOf(std::uint32_t tile) const {

@@ -59,6 +59,7 @@ class ContactBatches {
   std::uint32_t find(std::uint32_t a, std::uint32_t partner) const;
 
  private:
+  void listArena(std::span<const BallPair> arena, std::span<const std::uint32_t> place);
   IndexRange pairsOf(std::uint32_t tile) const;
   void colourTile(std::uint32_t tile);
   void colourBetween();
@@ -86,7 +87,8 @@ class ContactBatches {
   };
   std::uint32_t balls_ = 0;
   PairsByBall near_;
-  std::vector<ArenaPair> ofArena_;  // by ball
+  std::vector<ArenaPair> ofArena_;       // by ball
+  std::vector<std::uint8_t> withArena_;  // by ball, bits
   // By pair of near_, then by pair of ofArena_: which batch, if empty ones are counted; then the
   // number in pairs().
   std::vector<std::uint32_t> slot_;
