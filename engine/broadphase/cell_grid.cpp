@@ -35,7 +35,7 @@ constexpr double kFaceLoss = 1e-15;
 
 // Where more lie around a box, blocks of boxes are looked at instead.
 constexpr std::int64_t kMostCellsToLookAt = 1000;
-constexpr std::size_t kLeastRange = 8192;  // boxes, that a thread looks at
+constexpr std::size_t kLeastRange = 4096;  // boxes, that a thread looks at
 // Partners that are made room for at a time, in slots.
 constexpr std::size_t kMostRoom = 1 << 12;
 

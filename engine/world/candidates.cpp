@@ -13,7 +13,7 @@
 namespace wells {
 namespace {
 
-constexpr std::size_t kLeastRange = 16384;  // balls or pairs, that a thread looks at
+constexpr std::size_t kLeastRange = 4096;  // balls or pairs, that a thread looks at
 
 // Of Candidates::nearArena_.
 constexpr std::uint8_t kNearGround = 1;

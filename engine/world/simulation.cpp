@@ -344,7 +344,7 @@ class Simulation : public Stepper {
   }
 
   // Balls that a thread prepares: waking it takes as long as some thousand.
-  static constexpr std::size_t kLeastRange = 8192;
+  static constexpr std::size_t kLeastRange = 4096;
 
   const SimulationOptions options_;
   ThreadPool one_;
