@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "contacts/substep_rules.h"
 #include "math/random.h"
 #include "world/contact_choice.h"
 #include "world/simulation.h"
@@ -83,6 +84,30 @@ TEST(Crowd, MovesThoseThatMeetAlone) {
     EXPECT_EQ(balls.spin[i], start.spin[i]);
     EXPECT_LE(length(balls.position[i] - start.position[i] - way), 1e-14);
   }
+}
+
+// The last ball of a row hits one at rest, which hits another: these two would not come near each
+// other if nothing deflected them, so nobody keeps them ready. Elastic and head-on, the last of all
+// goes on with the speed of the first.
+TEST(Crowd, SolvesContactsOfBallsThatHaveBeenDeflected) {
+  World world = emptySpace(1, 0);
+  world.arena.radius = 100;
+  world.settings.substeps = 8;
+  const auto add = [&](double x, double speed) {
+    world.balls.add({.position = {x, 5, 0}, .velocity = {speed, 0, 0}}, kRadius, 1);
+  };
+  constexpr double kSpeed = 40;  // m/s
+  constexpr int kRow = 80;
+  for (int i = 0; i < kRow; ++i) add(1.05 * (i - kRow), i + 1 < kRow ? 0 : kSpeed);
+  const double gap = 0.15 * 2 * kRadius;
+  ASSERT_GT(gap, kFarGap * 2 * kRadius);
+  add(0, 0);
+  add(2 * kRadius + gap, 0);
+  ASSERT_LT(0.05 + gap, kSpeed * world.settings.dt);
+  stepCrowd(world);
+  EXPECT_NEAR(world.balls.velocity[kRow - 1].x(), 0, 1e-10);
+  EXPECT_NEAR(world.balls.velocity[kRow].x(), 0, 1e-10);
+  EXPECT_NEAR(world.balls.velocity[kRow + 1].x(), kSpeed, 1e-10);
 }
 
 // Impulses and shifts between balls are equal and opposite.
