@@ -85,6 +85,7 @@ void CellGrid::sort(std::span<btBroadphaseProxy* const> boxes, ThreadPool& threa
     resizeAfresh(*numbers, room);
   for (auto* numbers : {&sorted_.halfY, &sorted_.halfZ})
     resizeAfresh(*numbers, areSpheres ? 0 : room);
+  resizeAfresh(sorted_.certain, areSpheres ? room : 0);
   threads.forRanges(slots(), kLeastRange, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t slot = begin; slot < end; ++slot) fillSlot(*boxes[boxOf_[slot]], slot);
   });
@@ -190,6 +191,8 @@ void CellGrid::fillSlot(const btBroadphaseProxy& box, std::size_t slot) {
   const std::array halves{&sorted_.halfX, &sorted_.halfY, &sorted_.halfZ};
   for (int k = 0; k < (content_ == BoxContent::Spheres ? 1 : 3); ++k)
     (*halves[k])[slot] = static_cast<float>((halfSizeOf(box, k) + loss) * (1 + kSizeLoss));
+  if (content_ == BoxContent::Spheres)
+    sorted_.certain[slot] = static_cast<float>((halfSizeOf(box, 0) - loss) * (1 - kSizeLoss));
 }
 
 /// Adds what lies in the cells x - 1, x and x + 1 of a row, all modulo the size of the grid.
@@ -236,6 +239,7 @@ CellSearch CellGrid::around(std::uint32_t cell) const {
 void CellGrid::find(SlotRange range, FoundPartners& found) const {
   found.slots = range;
   found.ends.resize(range.end - range.begin);
+  found.areCertain.resize(range.end - range.begin);
   std::uint32_t end = 0;
   for (std::uint32_t slot = range.begin; slot < range.end;) {
     CellSearch search = around(cellOf_[slot]);
@@ -249,7 +253,8 @@ void CellGrid::find(SlotRange range, FoundPartners& found) const {
     if (found.partners.size() < end + count * most)
       found.partners.resize(end + end / 4 + count * most);
     std::uint32_t* const ends = found.ends.data() + (slot - range.begin);
-    findPartners(sorted_, search, end, ends, found.partners.data());
+    std::uint8_t* const areCertain = found.areCertain.data() + (slot - range.begin);
+    findPartners(sorted_, search, end, ends, areCertain, found.partners.data());
     end = ends[count - 1];
     slot = search.slots.end;
   }

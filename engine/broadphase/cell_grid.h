@@ -27,8 +27,9 @@ namespace wells {
 /// What was found for a range of slots.
 struct FoundPartners {
   SlotRange slots{};
-  std::vector<std::uint32_t> ends;      // by slot of the range: where its partners end
-  std::vector<std::uint32_t> partners;  // slots; holds more than are valid
+  std::vector<std::uint32_t> ends;       // by slot of the range: where its partners end
+  std::vector<std::uint8_t> areCertain;  // by slot of the range: all overlap, whatever was rounded
+  std::vector<std::uint32_t> partners;   // slots; holds more than are valid
 
   /// Calls visit(slot, partner) for each pair.
   template <class Visit>
@@ -39,19 +40,20 @@ struct FoundPartners {
         visit(slot, *at);
   }
 
-  /// Drops pairs for which !keep(slot, partner); without a branch for each, because that cannot be
-  /// foretold.
+  /// Drops pairs for which !keep(slot, partner). That is asked only of slots with a partner that
+  /// may not overlap.
   template <class Keep>
   void narrow(Keep keep) {
     std::uint32_t from = 0;
     std::uint32_t count = 0;
     for (std::uint32_t slot = slots.begin; slot < slots.end; ++slot) {
-      std::uint32_t& end = ends[slot - slots.begin];
+      const std::uint32_t end = ends[slot - slots.begin];
+      const bool areAllKept = areCertain[slot - slots.begin] != 0;
       for (; from < end; ++from) {
         partners[count] = partners[from];
-        count += keep(slot, partners[from]) ? 1 : 0;
+        count += areAllKept || keep(slot, partners[from]) ? 1 : 0;
       }
-      end = count;
+      ends[slot - slots.begin] = count;
     }
   }
 };

@@ -55,7 +55,8 @@ class GridBroadphase final : public btBroadphaseInterface {
   // once, and some whose boxes nearly do. x and y are what proxies stand for (bullet_proxy.h).
 
   /// Drops pairs of boxes in cells for which !keep(x, y), which any thread may call. Others are
-  /// those with boxes much larger than most, or very far away.
+  /// those with boxes much larger than most, or very far away. Spheres that overlap for certain may
+  /// stay unasked.
   template <class Keep>
   void narrow(Keep keep) {
     threads_->forRanges(found_.size(), 1, [&](std::size_t begin, std::size_t end, std::size_t) {

@@ -55,10 +55,11 @@ struct Numbers {
         y(boxes.y.data()),
         z(boxes.z.data()),
         halfX(boxes.halfX.data()),
+        certain(boxes.certain.data()),
         halfY(boxes.content == BoxContent::Spheres ? halfX : boxes.halfY.data()),
         halfZ(boxes.content == BoxContent::Spheres ? halfX : boxes.halfZ.data()) {}
 
-  const float *x, *y, *z, *halfX, *halfY, *halfZ;
+  const float *x, *y, *z, *halfX, *certain, *halfY, *halfZ;
 };
 
 class SphereTest {
@@ -68,20 +69,31 @@ class SphereTest {
         x_(broadcast(all.x[slot])),
         y_(broadcast(all.y[slot])),
         z_(broadcast(all.z[slot])),
-        radius_(broadcast(all.halfX[slot])) {}
+        radius_(broadcast(all.halfX[slot])),
+        certain_(broadcast(all.certain[slot])),
+        unsure_(hn::Zero(Floats())) {}
 
-  HWY_INLINE Mask overlap(std::uint32_t slot) const {
+  HWY_INLINE Mask overlap(std::uint32_t slot) {
     const Vector x = hn::Sub(load(all_.x, slot), x_);
     const Vector y = hn::Sub(load(all_.y, slot), y_);
     const Vector z = hn::Sub(load(all_.z, slot), z_);
     const Vector bound = hn::Add(load(all_.halfX, slot), radius_);
     const Vector squared = hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z));
-    return hn::Le(squared, hn::Mul(bound, bound));
+    const Mask overlaps = hn::Le(squared, hn::Mul(bound, bound));
+    // What is not a number is not certain.
+    const Vector certain = hn::Max(hn::Add(load(all_.certain, slot), certain_), hn::Zero(Floats()));
+    const Mask areCertain = hn::Lt(squared, hn::Mul(certain, certain));
+    unsure_ = hn::Or(unsure_, hn::VecFromMask(Floats(), hn::AndNot(areCertain, overlaps)));
+    return overlaps;
   }
+
+  /// All that were found to overlap; those in what was read behind the ranges count too.
+  HWY_INLINE bool areCertain() const { return hn::AllFalse(Floats(), hn::MaskFromVec(unsure_)); }
 
  private:
   const Numbers all_;
-  const Vector x_, y_, z_, radius_;
+  const Vector x_, y_, z_, radius_, certain_;
+  Vector unsure_;
 };
 
 class BoxTest {
@@ -100,6 +112,8 @@ class BoxTest {
                            along(all_.y, all_.halfY, y_, halfY_, slot)),
                    along(all_.z, all_.halfZ, z_, halfZ_, slot));
   }
+
+  HWY_INLINE bool areCertain() const { return false; }
 
  private:
   static HWY_INLINE Mask along(const float* centers, const float* halves, Vector center,
@@ -139,7 +153,7 @@ class FaceTest {
 /// Appends those of the range that overlap; returns the end of the list. Without a branch for each,
 /// because whether a neighbour overlaps cannot be foretold.
 template <class Test>
-HWY_INLINE std::uint32_t* append(const Test& test, SlotRange range, std::uint32_t* end) {
+HWY_INLINE std::uint32_t* append(Test& test, SlotRange range, std::uint32_t* end) {
   const Slots slots;
   const hn::Rebind<std::uint8_t, Slots> places;
   const auto lanes = static_cast<std::uint32_t>(hn::Lanes(slots));
@@ -158,32 +172,33 @@ HWY_INLINE std::uint32_t* append(const Test& test, SlotRange range, std::uint32_
 
 template <class Test>
 HWY_INLINE void findEach(const SortedBoxes& boxes, const CellSearch& search, std::uint32_t from,
-                         std::uint32_t* ends, std::uint32_t* partners) {
+                         std::uint32_t* ends, std::uint8_t* areCertain, std::uint32_t* partners) {
   const Numbers all(boxes);
   std::uint32_t* end = partners + from;
   for (std::uint32_t slot = search.slots.begin; slot < search.slots.end; ++slot) {
-    const Test test(all, slot);
+    Test test(all, slot);
     end = append(test, {slot + 1, search.end}, end);
     for (std::size_t n = 0; n < search.otherCount; ++n) end = append(test, search.others[n], end);
     *ends++ = static_cast<std::uint32_t>(end - partners);
+    *areCertain++ = test.areCertain() ? 1 : 0;
   }
 }
 
 }  // namespace
 
 void findPartnersHere(const SortedBoxes& boxes, const CellSearch& search, std::uint32_t from,
-                      std::uint32_t* ends, std::uint32_t* partners) {
+                      std::uint32_t* ends, std::uint8_t* areCertain, std::uint32_t* partners) {
   if (boxes.content == BoxContent::Spheres)
-    findEach<SphereTest>(boxes, search, from, ends, partners);
+    findEach<SphereTest>(boxes, search, from, ends, areCertain, partners);
   else
-    findEach<BoxTest>(boxes, search, from, ends, partners);
+    findEach<BoxTest>(boxes, search, from, ends, areCertain, partners);
 }
 
 std::uint32_t findWithinHere(const SortedBoxes& boxes, const std::array<float, 3>& low,
                              const std::array<float, 3>& high, SlotRange range,
                              std::uint32_t* found) {
-  return static_cast<std::uint32_t>(append(FaceTest(Numbers(boxes), low, high), range, found) -
-                                    found);
+  FaceTest test(Numbers(boxes), low, high);
+  return static_cast<std::uint32_t>(append(test, range, found) - found);
 }
 
 }  // namespace wells::HWY_NAMESPACE
@@ -196,8 +211,8 @@ HWY_EXPORT(findPartnersHere);
 HWY_EXPORT(findWithinHere);
 
 void findPartners(const SortedBoxes& boxes, const CellSearch& search, std::uint32_t from,
-                  std::uint32_t* ends, std::uint32_t* partners) {
-  HWY_DYNAMIC_DISPATCH(findPartnersHere)(boxes, search, from, ends, partners);
+                  std::uint32_t* ends, std::uint8_t* areCertain, std::uint32_t* partners) {
+  HWY_DYNAMIC_DISPATCH(findPartnersHere)(boxes, search, from, ends, areCertain, partners);
 }
 
 std::uint32_t findWithin(const SortedBoxes& boxes, const std::array<float, 3>& low,

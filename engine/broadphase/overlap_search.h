@@ -23,6 +23,9 @@ struct SortedBoxes {
   BoxContent content = BoxContent::Anything;
   std::vector<float> x, y, z;              // m, of the centre, from the grid's anchor
   std::vector<float> halfX, halfY, halfZ;  // m; of spheres, halfX is the radius, others are empty
+  // m, of spheres: a radius that is too small by as much as rounding may hide, where halfX is too
+  // large by that. Those that overlap with these do so for certain. May be negative.
+  std::vector<float> certain;
 };
 
 /// With whom the boxes of a cell are to be compared.
@@ -35,8 +38,9 @@ struct CellSearch {
 
 /// Lists those that overlap: of slot search.slots.begin + n up to partners[ends[n]], from where
 /// those of the one before end, or from `from`. `partners` has room for all and kRoom more.
+/// Sets areCertain[n] to 0 if one of them may not overlap, else to 1.
 void findPartners(const SortedBoxes& boxes, const CellSearch& search, std::uint32_t from,
-                  std::uint32_t* ends, std::uint32_t* partners);
+                  std::uint32_t* ends, std::uint8_t* areCertain, std::uint32_t* partners);
 
 /// Lists those of a range that overlap the box from low to high (m, from the anchor). Returns how
 /// many; `found` has room for all and kRoom more.

@@ -148,7 +148,8 @@ void SpherePairs::search(ThreadPool& threads) {
   grid_.setThreads(nullptr);
 }
 
-// The grid compares in single precision. Pairs that are to be narrowed anyway may stay.
+// The grid compares in single precision, and asks where that does not decide. Pairs that are to be
+// narrowed anyway may stay.
 void SpherePairs::list(ThreadPool& threads, CandidateLists& lists) {
   const auto overlap = [&](std::uint32_t x, std::uint32_t y) {
     const double bound = spheres_[x].radius + spheres_[y].radius;
