@@ -17,6 +17,12 @@ inline constexpr double kLeaningGap = 0.05;
 
 class Candidates {
  public:
+  /// What a ball may touch in the step lies within this.
+  struct Sphere {
+    Vec3 center;    // m
+    double radius;  // m
+  };
+
   /// Lists the pairs that may touch in a step. reach[i] (m) bounds how far ball i moves in it; NaN:
   /// the ball is in no pair. `among` are the balls that take part, rising ids, as Broadphase has
   /// it.
@@ -52,16 +58,13 @@ class Candidates {
   /// compute. Here such balls only stop falling, because what holds them is not known.
   std::span<const std::uint8_t> isLeaning() const { return isLeaning_; }
 
+  /// By ball; about where it was then. Only those of its balls are valid.
+  std::span<const Sphere> spheres() const { return spheres_; }
+
   /// Pairs of the broadphase; where there is none, because balls are few, all that were found.
   std::int64_t pairs() const;
 
  private:
-  /// What a ball may touch in the step lies within this.
-  struct Sphere {
-    Vec3 center;    // m
-    double radius;  // m
-  };
-
   void findBalls(ThreadPool& threads);
   /// All at once, without the broadphase.
   void findAmongFew(const World& world, std::span<const double> reach,

@@ -23,7 +23,7 @@ constexpr std::size_t kLeastRange = 16384;  // pairs, that a thread looks at
 }  // namespace
 
 std::int64_t LatePairs::count(const World& world, std::span<const BallPair> pairs,
-                              std::span<const BallState> start,
+                              std::span<const Candidates::Sphere> start,
                               std::span<const std::uint32_t> awake, ThreadPool& threads) {
   nextStep_.resize(world.balls.size(), kNoStep);
   std::array<std::int64_t, kMostThreads> late{};
@@ -38,7 +38,7 @@ std::int64_t LatePairs::count(const World& world, std::span<const BallPair> pair
 
 std::int64_t LatePairs::countIn(IndexRange range, const World& world,
                                 std::span<const BallPair> pairs,
-                                std::span<const BallState> start) const {
+                                std::span<const Candidates::Sphere> start) const {
   if (range.begin == range.end) return 0;
   std::int64_t late = 0;
   std::uint32_t ball = kGround;
@@ -73,10 +73,10 @@ void LatePairs::keep(std::span<const BallPair> pairs) {
 }
 
 bool LatePairs::isLate(const World& world, const BallPair& pair,
-                       std::span<const BallState> start) const {
+                       std::span<const Candidates::Sphere> start) const {
   const auto [a, b] = pair;
   const double most = (1 - kLateOverlap) * (world.balls.radius[a] + world.balls.radius[b]);
-  return squaredLength(start[b].position - start[a].position) < most * most &&
+  return squaredLength(start[b].center - start[a].center) < most * most &&
          nextStep_[a] == numberOf(world.step) && nextStep_[b] == numberOf(world.step) &&
          world.owns(a) && world.owns(b);
 }

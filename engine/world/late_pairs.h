@@ -10,23 +10,25 @@
 #include "broadphase/ball_pair.h"
 #include "state/world.h"
 #include "threads/thread_pool.h"
+#include "world/candidates.h"
 
 namespace wells {
 
 class LatePairs {
  public:
-  /// At the end of a step, in which the balls `awake` took part, began with start[ball] and could
-  /// touch as `pairs` (by (a, b)) have it. Other peers' balls do not count, for they jump when
-  /// their states arrive.
+  /// At the end of a step, in which the balls `awake` took part, began in the middle of start[ball]
+  /// and could touch as `pairs` (by (a, b)) have it. Other peers' balls do not count, for they jump
+  /// when their states arrive.
   std::int64_t count(const World& world, std::span<const BallPair> pairs,
-                     std::span<const BallState> start, std::span<const std::uint32_t> awake,
-                     ThreadPool& threads);
+                     std::span<const Candidates::Sphere> start,
+                     std::span<const std::uint32_t> awake, ThreadPool& threads);
 
  private:
   std::int64_t countIn(IndexRange range, const World& world, std::span<const BallPair> pairs,
-                       std::span<const BallState> start) const;
+                       std::span<const Candidates::Sphere> start) const;
   void keep(std::span<const BallPair> pairs);
-  bool isLate(const World& world, const BallPair& pair, std::span<const BallState> start) const;
+  bool isLate(const World& world, const BallPair& pair,
+              std::span<const Candidates::Sphere> start) const;
 
   // The pairs of the step before: for each ball a that had any, the other balls.
   struct List {

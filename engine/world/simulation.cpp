@@ -162,8 +162,8 @@ class Simulation : public Stepper {
     stage.next(Stage::Prepare);
     keepContacts();
     if (!world.roles.empty()) findLeaning(world);
-    counts_.latePairs =
-        latePairs_.count(world, candidates_.ballPairs(), start_, sleep_.awake(), *pool_);
+    counts_.latePairs = latePairs_.count(world, candidates_.ballPairs(), candidates_.spheres(),
+                                         sleep_.awake(), *pool_);
     stage.next(Stage::Other);
     for (const std::uint32_t i : sleep_.awake()) stepsInSubsteps_[i] = nextStepsInSubsteps_[i];
     findQuarantined(world.balls);

@@ -15,8 +15,8 @@ struct Row {
   }
 
   std::int64_t step(const std::vector<BallPair>& pairs, const std::vector<std::uint32_t>& awake) {
-    std::vector<BallState> start;
-    for (std::size_t i = 0; i < world.balls.size(); ++i) start.push_back(world.balls.state(i));
+    std::vector<Candidates::Sphere> start;
+    for (const Vec3& position : world.balls.position) start.push_back({position, 0});
     const std::int64_t count = late.count(world, pairs, start, awake, alone);
     ++world.step;
     return count;
