@@ -18,7 +18,7 @@ constexpr SpeedMethod kTuned25[] = {
 constexpr SpeedMethod kTuned1000[] = {{.substeps = 2, .iterations = 2, .integrator = kLeapfrog}};
 constexpr SpeedMethod kTuned10000[] = {
     {.substeps = 3, .iterations = 3, .integrator = kLeapfrog, .ballBound = 0.086},
-    {.substeps = 4, .iterations = 2, .integrator = kLeapfrog, .ballBound = 0.049}};
+    {.substeps = 4, .iterations = 3, .integrator = kLeapfrog, .ballBound = 0.049}};
 constexpr SpeedMethod kTuned50000[] = {{.substeps = 3, .iterations = 2, .integrator = kLeapfrog}};
 constexpr SpeedMethod kTuned100000[] = {{.substeps = 3, .iterations = 3, .integrator = kLeapfrog}};
 

@@ -245,13 +245,19 @@ void Crowd::solve(const Settings& settings, std::size_t thread, Barrier& barrier
   const Watch watch = isToBeSolved ? Watch::Changes : Watch::No;
   const int wanted = isLossless ? kPassesLossless : isToBeSolved ? kPassesAtRest : 1;
   const int most = std::max(settings.iterations, wanted);
+  // Friction waits for the normal impulses that bound it: the last half of the passes has it, and
+  // the others cost half as much. Where they go on until all is solved, all have it.
+  const int firstThatRubs = isToBeSolved ? 0 : most - std::max(1, most / 2);
+  CrowdRules smooth = rules_;
+  smooth.friction = 0;
   for (int pass = 0; pass < most; ++pass) {
     // The other parity may still be read by a thread that is late.
     double& changed = workers_[thread].changed[pass % 2];
     changed = 0;
+    const CrowdRules& rules = pass < firstThatRubs ? smooth : rules_;
     forEachPart(thread, barrier, [&](std::size_t, PartnerKind partner, const Part& part) {
       changed =
-          std::max(changed, solveContacts(partner, watch, rules_, arrays, blocksOf(thread, part)));
+          std::max(changed, solveContacts(partner, watch, rules, arrays, blocksOf(thread, part)));
     });
     if (!isToBeSolved) continue;
     double mostChanged = 0;
