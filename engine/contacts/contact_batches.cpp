@@ -9,6 +9,7 @@ namespace wells {
 namespace {
 
 constexpr std::uint32_t kColours = 64;
+constexpr std::uint32_t kSome = 8;        // pairs of a ball; most have no more
 constexpr std::size_t kLeastTiles = 4;  // that a thread colours
 
 // Behind the colours within tiles and those between them: contacts for which no colour was left (of
@@ -144,8 +145,16 @@ void ContactBatches::place(std::uint32_t& slot, const IndexPair& pair) {
 
 std::uint32_t ContactBatches::find(std::uint32_t a, std::uint32_t partner) const {
   if (isBall(partner)) {
-    for (std::uint32_t n = near_.firstOf[a]; n < near_.firstOf[a + 1]; ++n)
-      if (near_.pairs[n].b == partner) return slot_[n];
+    // Without a branch for each: which one it is cannot be foretold.
+    const std::uint32_t end = near_.firstOf[a + 1];
+    for (std::uint32_t first = near_.firstOf[a]; first < end; first += kSome) {
+      std::uint32_t found = end;
+      for (std::uint32_t k = 0; k < kSome; ++k) {
+        const std::uint32_t n = std::min(first + k, end - 1);
+        found = near_.pairs[n].b == partner ? n : found;
+      }
+      if (found != end) return slot_[found];
+    }
     return kNoPair;
   }
   const ArenaPair pair{a, partner};

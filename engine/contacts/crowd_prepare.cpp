@@ -119,12 +119,15 @@ void prepareAll(const CrowdRules& rules, const CrowdArrays& in,
   for (std::size_t first = 0; first < touching.size(); first += kContactLanes) {
     ContactBlock& block = blocks[first / kContactLanes];
     block.count = static_cast<std::uint32_t>(std::min(kContactLanes, touching.size() - first));
-    for (std::size_t lane = 0; lane < kContactLanes; ++lane) {
-      const bool isUsed = lane < block.count;
-      const std::uint32_t p = isUsed ? touching[first + lane] : in.idlePair;
-      block.pair[lane] = p;
-      block.a[lane] = isUsed ? in.pairs[p].a : in.idleBall;
-      block.b[lane] = isUsed ? in.pairs[p].b : in.idleBall + 1;
+    for (std::size_t lane = 0; lane < block.count; ++lane) {
+      const std::uint32_t p = block.pair[lane] = touching[first + lane];
+      block.a[lane] = in.pairs[p].a;
+      block.b[lane] = in.pairs[p].b;
+    }
+    for (std::size_t lane = block.count; lane < kContactLanes; ++lane) {
+      block.pair[lane] = in.idlePair;
+      block.a[lane] = in.idleBall;
+      block.b[lane] = in.idleBall + 1;
     }
     for (std::size_t lane = 0; lane < kContactLanes; lane += kLanes)
       prepareLanes<kPartner, kRubs>(rules, in, lane, block, flights[first / kContactLanes], most);
