@@ -19,8 +19,8 @@ constexpr SpeedMethod kTuned1000[] = {{.substeps = 2, .iterations = 2, .integrat
 constexpr SpeedMethod kTuned10000[] = {
     {.substeps = 3, .iterations = 3, .integrator = kLeapfrog, .ballBound = 0.086},
     {.substeps = 4, .iterations = 3, .integrator = kLeapfrog, .ballBound = 0.049}};
-constexpr SpeedMethod kTuned50000[] = {{.substeps = 3, .iterations = 2, .integrator = kLeapfrog}};
-constexpr SpeedMethod kTuned100000[] = {{.substeps = 3, .iterations = 3, .integrator = kLeapfrog}};
+constexpr SpeedMethod kTuned50000[] = {{.substeps = 2, .iterations = 6, .integrator = kLeapfrog}};
+constexpr SpeedMethod kTuned100000[] = {{.substeps = 2, .iterations = 6, .integrator = kLeapfrog}};
 
 // Bullet's balls fall asleep after 2 s, 120 steps: of T3 the last 100 steps count. Heaps of 50,000
 // balls and more take Bullet most of a second a step: within the first second of their time all
