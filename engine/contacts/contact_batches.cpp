@@ -9,7 +9,7 @@ namespace wells {
 namespace {
 
 constexpr std::uint32_t kColours = 64;
-constexpr std::uint32_t kSome = 8;        // pairs of a ball; most have no more
+constexpr std::uint32_t kSome = 8;      // pairs of a ball; most have no more
 constexpr std::size_t kLeastTiles = 4;  // that a thread colours
 
 // Behind the colours within tiles and those between them: contacts for which no colour was left (of

@@ -119,7 +119,7 @@ class Bench(unittest.TestCase):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         bullet, *ours = self.read(folder / "speed.csv")
         self.assertEqual((bullet["ball_bound_m"], bullet["verdict"]), ("", ""))
-        bounds = {"ours 3x3 leapfrog": 0.086, "ours 4x2 leapfrog": 0.049}
+        bounds = {"ours 3x3 leapfrog": 0.086, "ours 4x3 leapfrog": 0.049}
         self.assertEqual([row["method"] for row in ours], ["ours", "ours substep", "ours exact", *bounds])
         for row in ours:
             bound = bounds.get(row["method"], float(bullet["ball_overlap_m"]))
