@@ -41,6 +41,9 @@ class GridBroadphase final : public btBroadphaseInterface {
   void aabbTest(const btVector3& low, const btVector3& high,
                 btBroadphaseAabbCallback& callback) override;
 
+  /// As if setAabb() had been called for proxies whose faces somebody has set.
+  void setChanged() { areOld_ = true; }
+
   void calculateOverlappingPairs(btDispatcher* dispatcher) override;
 
   /// Whose threads search, until another is set; must outlive that. Null: the caller's alone.

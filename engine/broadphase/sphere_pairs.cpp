@@ -1,7 +1,9 @@
 #include "broadphase/sphere_pairs.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "broadphase/arena_boxes.h"
@@ -22,6 +24,7 @@ constexpr int kListsWithoutSkin = 30;
 // steps, had 32 in the step that tried a skin, and 5 without, and that step took three times as
 // long. With 10,000 after 100 steps 20 cost less than a new list in each step.
 constexpr double kMostPairsWithSkin = 24;
+constexpr std::size_t kLeastRange = 4096;  // balls, that a thread looks at
 
 bool isFiniteBall(const World& world, std::span<const double> reach, std::uint32_t ball) {
   return isFinite(world.balls.position[ball]) && std::isfinite(reach[ball]);
@@ -38,13 +41,13 @@ SpherePairs::SpherePairs(std::size_t balls, const Arena& arena)
 std::int64_t SpherePairs::update(const World& world, std::span<const double> reach,
                                  std::span<const std::uint32_t> among, ThreadPool& threads,
                                  CandidateLists& lists) {
-  if (areKnown(world, reach, among)) {
+  if (areKnown(world, reach, among, threads)) {
     ++stepsServed_;
     areReaches_ = false;
     if (removed_ > 0) forget(lists);
     return static_cast<std::int64_t>(std::exchange(removed_, 0));
   }
-  setSpheres(world, reach, among, lists.ballPairs.size());
+  setSpheres(world, reach, among, lists.ballPairs.size(), threads);
   search(threads);
   list(threads, lists);
   removed_ = 0;
@@ -76,29 +79,41 @@ void SpherePairs::findIn(const Vec3& low, const Vec3& high, std::vector<std::uin
 
 /// Whether no pair of these balls can be missing.
 bool SpherePairs::areKnown(const World& world, std::span<const double> reach,
-                           std::span<const std::uint32_t> among) const {
-  return std::ranges::all_of(among, [&](std::uint32_t i) {
+                           std::span<const std::uint32_t> among, ThreadPool& threads) const {
+  const auto isKnown = [&](std::uint32_t i) {
     if (!isFiniteBall(world, reach, i)) return !isThere(i);
     const BoundSphere& sphere = spheres_[i];
     const double margin = sphere.radius - (world.balls.radius[i] + reach[i]);
     return isThere(i) && margin >= 0 &&
            squaredLength(world.balls.position[i] - sphere.center) <= margin * margin;
-  });
+  };
+  std::array<bool, kMostThreads> areUnknown{};
+  threads.forRanges(
+      among.size(), kLeastRange, [&](std::size_t begin, std::size_t end, std::size_t range) {
+        areUnknown[range] = !std::ranges::all_of(among.subspan(begin, end - begin), isKnown);
+      });
+  return std::ranges::none_of(areUnknown, std::identity());
 }
 
 /// The present list has so many `pairs`.
 void SpherePairs::setSpheres(const World& world, std::span<const double> reach,
-                             std::span<const std::uint32_t> among, std::size_t pairs) {
+                             std::span<const std::uint32_t> among, std::size_t pairs,
+                             ThreadPool& threads) {
   const Balls& balls = world.balls;
   const double skinTime = kSkinSteps * world.settings.dt;
   const auto setAll = [&](bool hasSkin) {
+    threads.forRanges(
+        there_.size(), kLeastRange, [&](std::size_t begin, std::size_t end, std::size_t) {
+          for (const std::uint32_t i : std::span(there_).subspan(begin, end - begin)) {
+            const double skin =
+                hasSkin ? kSkin * balls.radius[i] + skinTime * length(balls.velocity[i]) : 0;
+            spheres_[i] = {balls.position[i], balls.radius[i] + reach[i] + skin};
+          }
+        });
+    // In one order, for any number of threads.
     double volume = 0;
     for (const std::uint32_t i : there_) {
-      const double skin =
-          hasSkin ? kSkin * balls.radius[i] + skinTime * length(balls.velocity[i]) : 0;
-      const double radius = balls.radius[i] + reach[i] + skin;
-      spheres_[i].center = balls.position[i];
-      spheres_[i].radius = radius;
+      const double radius = spheres_[i].radius;
       volume += radius * radius * radius;
     }
     return volume;
@@ -133,16 +148,19 @@ bool SpherePairs::nextHasSkin() {
 }
 
 void SpherePairs::search(ThreadPool& threads) {
-  for (const std::uint32_t i : there_) {
-    const BoundSphere& sphere = spheres_[i];
-    const Vec3 half = Vec3::Constant(sphere.radius);
-    const btVector3 low = toBullet(sphere.center - half);
-    const btVector3 high = toBullet(sphere.center + half);
-    if (btBroadphaseProxy*& proxy = proxies_[i]; proxy)
-      grid_.setAabb(proxy, low, high, nullptr);
-    else
-      proxy = grid_.createProxy(low, high, 0, asClient(i), kBallGroup, kBallMask, nullptr);
-  }
+  const btVector3 unset(0, 0, 0);
+  for (const std::uint32_t i : there_)
+    if (btBroadphaseProxy*& proxy = proxies_[i]; !proxy)
+      proxy = grid_.createProxy(unset, unset, 0, asClient(i), kBallGroup, kBallMask, nullptr);
+  threads.forRanges(there_.size(), kLeastRange,
+                    [&](std::size_t begin, std::size_t end, std::size_t) {
+                      for (const std::uint32_t i : std::span(there_).subspan(begin, end - begin)) {
+                        const Vec3 half = Vec3::Constant(spheres_[i].radius);
+                        proxies_[i]->m_aabbMin = toBullet(spheres_[i].center - half);
+                        proxies_[i]->m_aabbMax = toBullet(spheres_[i].center + half);
+                      }
+                    });
+  grid_.setChanged();
   grid_.setThreads(&threads);
   grid_.calculateOverlappingPairs(nullptr);
   grid_.setThreads(nullptr);

@@ -40,9 +40,9 @@ class SpherePairs {
 
   bool isThere(std::uint32_t ball) const { return proxies_[ball] != nullptr; }
   bool areKnown(const World& world, std::span<const double> reach,
-                std::span<const std::uint32_t> among) const;
+                std::span<const std::uint32_t> among, ThreadPool& threads) const;
   void setSpheres(const World& world, std::span<const double> reach,
-                  std::span<const std::uint32_t> among, std::size_t pairs);
+                  std::span<const std::uint32_t> among, std::size_t pairs, ThreadPool& threads);
   void removeSphere(std::uint32_t ball);
   bool nextHasSkin();
   void search(ThreadPool& threads);
