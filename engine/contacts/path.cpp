@@ -111,11 +111,12 @@ std::pair<BallState, BallState> statesAt(const PathModel& model, const Path& a, 
   return {end(0, a.state.spin), end(1, b.state.spin)};
 }
 
-void endFlights(const PathModel& model, std::span<const Path> paths, double t,
-                std::span<std::uint32_t> flying, Balls& balls) {
-  const auto startOf = [&](std::uint32_t i) { return paths[i].start; };
+void endFlights(const PathModel& model, std::span<const Path> paths,
+                std::span<const std::uint32_t> place, double t, std::span<std::uint32_t> flying,
+                Balls& balls) {
+  const auto startOf = [&](std::uint32_t i) { return paths[place[i]].start; };
   if (!std::ranges::is_sorted(flying, {}, startOf)) std::ranges::sort(flying, {}, startOf);
-  for (const std::uint32_t i : flying) balls.setState(i, paths[i].state);
+  for (const std::uint32_t i : flying) balls.setState(i, paths[place[i]].state);
   while (!flying.empty()) {
     const double start = startOf(flying.front());
     const auto next = std::ranges::find_if(flying, [&](auto i) { return startOf(i) != start; });

@@ -57,11 +57,12 @@ BallState stateAt(const PathModel& model, const Path& path, double t);
 std::pair<BallState, BallState> statesAt(const PathModel& model, const Path& a, const Path& b,
                                          double t);
 
-/// Sets the states in `balls` of those named, each on paths[its id] in flight and set out before t,
-/// to those at time t: stateAt() of many, of which those that set out together fly together. Sorts
-/// `flying` by when they did.
-void endFlights(const PathModel& model, std::span<const Path> paths, double t,
-                std::span<std::uint32_t> flying, Balls& balls);
+/// Sets the states in `balls` of those named, each on paths[place[its id]] in flight and set out
+/// before t, to those at time t: stateAt() of many, of which those that set out together fly
+/// together. Sorts `flying` by when they did.
+void endFlights(const PathModel& model, std::span<const Path> paths,
+                std::span<const std::uint32_t> place, double t, std::span<std::uint32_t> flying,
+                Balls& balls);
 
 /// Bound (m/s^2) on the acceleration of a ball that has state `now` on the path at time t, during
 /// the next `duration` seconds. In flight by wells and drag alone; gravity is not in it. Held by a

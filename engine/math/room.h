@@ -16,4 +16,12 @@ void resizeAfresh(std::vector<Element>& list, std::size_t size) {
   list.resize(size);
 }
 
+/// Makes a list at least so long, likewise; what it held stays.
+template <class Element>
+void makeRoomFor(std::vector<Element>& list, std::size_t size) {
+  if (list.size() >= size) return;
+  list.reserve(size + size / 8 + 64);  // resize() would double it
+  list.resize(list.capacity());
+}
+
 }  // namespace wells

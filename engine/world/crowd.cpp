@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contacts/substep_rules.h"
+#include "math/room.h"
 
 namespace wells {
 namespace {

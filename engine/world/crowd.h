@@ -45,13 +45,6 @@ class Crowd {
   void setClock(StageClock* clock) { clock_ = clock; }
 
  private:
-  /// So that small changes take no memory.
-  template <class Record>
-  static void makeRoomFor(std::vector<Record>& records, std::size_t count) {
-    if (records.size() >= count) return;
-    records.reserve(count + count / 8 + 64);  // resize() would double it
-    records.resize(records.capacity());
-  }
   /// Those blocks of a worker that it has filled with a batch.
   struct Part {
     std::size_t first = 0;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "math/room.h"
 #include "world/crowd.h"
 
 namespace wells {

@@ -1,13 +1,17 @@
 #include "world/exact_flight.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "contacts/held_motion.h"
 #include "contacts/impacts.h"
 #include "contacts/support.h"
+#include "math/room.h"
 
 namespace wells {
 namespace {
+
+constexpr std::size_t kMostKept = 4096;  // balls of an island that others go on with
 
 // Gaps up to this (m), times the size of the coordinates, belong to the same instant as an impact
 // of one of their balls.
@@ -32,6 +36,15 @@ bool anyOverlaps(const Arena& arena, std::span<const BallPair> pairs, const Ball
 IslandFate ExactFlight::run(const StepInput& in, std::span<const std::uint32_t> island,
                             std::span<const BallPair> pairs, std::span<double> reach,
                             Balls& balls) {
+  const IslandFate fate = tryStep(in, island, pairs, reach, balls);
+  const bool isLeft = fate == IslandFate::Sustained || fate == IslandFate::TooMany;
+  if (isLeft && island.size() > kMostKept) giveRoomBack();
+  return fate;
+}
+
+IslandFate ExactFlight::tryStep(const StepInput& in, std::span<const std::uint32_t> island,
+                                std::span<const BallPair> pairs, std::span<double> reach,
+                                Balls& balls) {
   begin(in, island, balls);
   if (std::ranges::all_of(pairs, [&](const BallPair& pair) { return stayApart(in, pair); }))
     return IslandFate::Alone;
@@ -44,35 +57,43 @@ IslandFate ExactFlight::run(const StepInput& in, std::span<const std::uint32_t> 
     if (fate == IslandFate::Done)
       book(in, i, dt_, balls);
     else
-      balls.setState(i, start_[i]);
+      balls.setState(i, of(i).start);
   }
   return fate;
+}
+
+void ExactFlight::giveRoomBack() {
+  path_ = std::vector<Path>();  // an empty list in braces would keep the room
+  flown_ = std::vector<Flown>();
+  pairsOf_ = std::vector<std::uint32_t>();
+  events_ = std::vector<Event>();
+  inCluster_ = std::vector<std::uint8_t>();
 }
 
 void ExactFlight::endStep(const StepInput& in, std::span<const std::uint32_t> island,
                           std::span<double> reach, Balls& balls) {
   flying_.clear();
   for (const std::uint32_t i : island) {
-    if (path_[i].motion == Motion::Flying && path_[i].start < dt_)
+    if (pathOf(i).motion == Motion::Flying && pathOf(i).start < dt_)
       flying_.push_back(i);
     else
-      balls.setState(i, stateAt(in.model, path_[i], dt_));
+      balls.setState(i, stateAt(in.model, pathOf(i), dt_));
   }
-  endFlights(in.model, path_, dt_, flying_, balls);
+  endFlights(in.model, path_, place_, dt_, flying_, balls);
   for (const std::uint32_t i : island) checkReach(in, i, dt_, balls, reach);
 }
 
 void ExactFlight::set(const StepInput& in, std::uint32_t i, const Path& path) {
-  path_[i] = path;
+  pathOf(i) = path;
   if (path.motion == Motion::Flying)
-    pull_[i] = accelerationBound(in.model, path, path.state, path.start, dt_ - path.start);
+    of(i).pull = accelerationBound(in.model, path, path.state, path.start, dt_ - path.start);
 }
 
 bool ExactFlight::stayApart(const StepInput& in, const BallPair& pair) const {
-  const Path& a = path_[pair.a];
+  const Path& a = pathOf(pair.a);
   if (a.motion != Motion::Flying) return false;
   if (!isBall(pair.b)) return staysOff(in.model, flyer(pair.a), pair.b, dt_);
-  const Path& b = path_[pair.b];
+  const Path& b = pathOf(pair.b);
   return b.motion == Motion::Flying &&
          wells::stayApart(in.model, flyer(pair.a), flyer(pair.b), std::max(a.start, b.start), dt_);
 }
@@ -87,44 +108,39 @@ void ExactFlight::begin(const StepInput& in, std::span<const std::uint32_t> isla
   anyTooFar_ = false;
   mostInelastic_ = std::max(kMostInelasticImpacts,
                             kMostInelasticOfBall * static_cast<std::int64_t>(island.size()));
-  path_.resize(balls.size());
-  pull_.resize(balls.size());
+  place_.resize(balls.size());
+  makeRoomFor(path_, island.size());
+  makeRoomFor(flown_, island.size());
+  for (std::size_t k = 0; k < island.size(); ++k) place_[island[k]] = static_cast<std::uint32_t>(k);
   for (const std::uint32_t i : island) set(in, i, {balls.state(i), 0, balls.radius[i]});
 }
 
 void ExactFlight::takeHold(const StepInput& in, std::span<const std::uint32_t> island,
                            std::span<const BallPair> pairs, const Balls& balls) {
   events_.clear();
-  start_.resize(balls.size());
-  end_.resize(balls.size());
-  version_.resize(balls.size());
-  firstPair_.resize(balls.size());
-  pairCount_.resize(balls.size());
-  isInCluster_.resize(balls.size(), 0);
   for (const std::uint32_t i : island) {
-    start_[i] = balls.state(i);
-    version_[i] = pairCount_[i] = 0;
+    of(i).start = balls.state(i);
+    of(i).version = of(i).pairCount = 0;
   }
-  // The pairs of ball i are pairsOf_[firstPair_[i]] and the pairCount_[i] - 1 after it.
+  // The pairs of ball i are pairsOf_[of(i).firstPair] and the of(i).pairCount - 1 after it.
   for (const BallPair& pair : pairs) {
-    ++pairCount_[pair.a];
-    if (isBall(pair.b)) ++pairCount_[pair.b];
+    ++of(pair.a).pairCount;
+    if (isBall(pair.b)) ++of(pair.b).pairCount;
   }
   std::uint32_t next = 0;
   for (const std::uint32_t i : island) {
-    firstPair_[i] = next;
-    next += pairCount_[i];
-    pairCount_[i] = 0;
+    of(i).firstPair = next;
+    next += std::exchange(of(i).pairCount, 0);
   }
   pairsOf_.resize(next);
   for (std::uint32_t p = 0; p < pairs.size(); ++p)
     for (const std::uint32_t i : {pairs[p].a, pairs[p].b})
-      if (isBall(i)) pairsOf_[firstPair_[i] + pairCount_[i]++] = p;
+      if (isBall(i)) pairsOf_[of(i).firstPair + of(i).pairCount++] = p;
   inCluster_.assign(pairs.size(), 0);
   for (const std::uint32_t i : island) {
-    const Path path = pathFrom(in.model, start_[i], balls.radius[i], 0);
+    const Path path = pathFrom(in.model, of(i).start, balls.radius[i], 0);
     if (path.motion != Motion::Flying) set(in, i, path);
-    bookHold(i, start_[i], balls);
+    bookHold(i, of(i).start, balls);
     foreseeEndOfMotion(in, i);
   }
 }
@@ -145,10 +161,10 @@ IslandFate ExactFlight::simulate(const StepInput& in, std::span<const BallPair> 
       cluster_.clear();
       clusterBalls_.assign(1, event.ball);
       book(in, event.ball, event.time, balls);
-      const BallState before = stateAt(in.model, path_[event.ball], event.time);
-      set(in, event.ball, pathAfter(in.model, path_[event.ball], event.time));
+      const BallState before = stateAt(in.model, pathOf(event.ball), event.time);
+      set(in, event.ball, pathAfter(in.model, pathOf(event.ball), event.time));
       bookHold(event.ball, before, balls);
-      ++version_[event.ball];
+      ++of(event.ball).version;
     } else {
       gatherCluster(in, pairs, event, balls);
       const std::int64_t before = counts_.impacts;
@@ -159,9 +175,9 @@ IslandFate ExactFlight::simulate(const StepInput& in, std::span<const BallPair> 
       for (const std::uint32_t i : clusterBalls_) {
         checkReach(in, i, event.time, balls, reach);
         book(in, i, event.time, balls);
-        set(in, i, pathFrom(in.model, balls.state(i), path_[i].radius, event.time));
+        set(in, i, pathFrom(in.model, balls.state(i), pathOf(i).radius, event.time));
         bookHold(i, balls.state(i), balls);
-        ++version_[i];
+        ++of(i).version;
       }
     }
     if (!foreseeCluster(in, pairs)) return IslandFate::Sustained;
@@ -187,71 +203,22 @@ IslandFate ExactFlight::resolve(const StepInput& in, double time, Balls& balls) 
   return counts_.impacts > mostInelastic_ ? IslandFate::Sustained : IslandFate::Done;
 }
 
-ExactFlight::Bounce ExactFlight::bounceOfLoneBall(const StepInput& in, double time,
-                                                  const Balls& balls) const {
-  bool isLast = true;
-  for (const Contact& c : cluster_) {
-    if (isBall(c.b)) return Bounce::OfMany;
-    if (cluster_.size() > 1 && !(closingSpeed(balls, c) > 0)) continue;
-    const double pressing = pressingOn(in, time, c, balls);
-    if (!(pressing > 0)) return Bounce::OfMany;
-    isLast = isLast && settles(*in.model.arena, in.settings.elasticity, pressing, c, balls);
-  }
-  return isLast ? Bounce::Last : Bounce::OneOfASeries;
-}
-
-double ExactFlight::pressingOn(const StepInput& in, double time, const Contact& c,
-                               const Balls& balls) {
-  return loadOn(in.model, {balls.state(c.a), time, balls.radius[c.a], Motion::Flying, c.b}, time)
-      .pressing;
-}
-
-// The flights that are left last 2 e v / (N (1 - e)) in all, N the pressing acceleration; the next
-// one rises by (e v)^2 / (2 N).
-bool ExactFlight::settles(const Arena& arena, double elasticity, double pressing, const Contact& c,
-                          const Balls& balls) const {
-  const double after = elasticity * closingSpeed(balls, c);
-  return 2 * after <= kSettlingTime * dt_ * pressing * (1 - elasticity) ||
-         (elasticity < 1 && isTooLow(arena, after, pressing, c, balls));
-}
-
-bool ExactFlight::isTooLow(const Arena& arena, double rising, double pressing, const Contact& c,
-                           const Balls& balls) {
-  const double size = c.b == kGround ? std::abs(balls.position[c.a].y()) + balls.radius[c.a]
-                                     : length(arena.center) + arena.radius;
-  return rising * rising <= 2 * pressing * kSettlingHeight * size;
-}
-
-void ExactFlight::endHops(const StepInput& in, double time, Balls& balls) {
-  for (const Contact& c : cluster_) {
-    const double closing = closingSpeed(balls, c);
-    if (!(closing < 0)) continue;
-    const double pressing = pressingOn(in, time, c, balls);
-    if (!(pressing > 0) || !isTooLow(*in.model.arena, closing, pressing, c, balls)) continue;
-    const double size = closing / c.inverseMassA;
-    applyImpulse<ArenaPartner>(balls, c, -size * c.normal);
-    if (!ledger_) continue;
-    bookNormal(ledger_, c, size, closing);
-    bookArena(ledger_, c, -size * c.normal, balls);
-  }
-}
-
 void ExactFlight::book(const StepInput& in, std::uint32_t i, double t, const Balls& balls) {
-  if (ledger_) bookPath(ledger_, in.model, path_[i], balls.mass[i], t);
+  if (ledger_) bookPath(ledger_, in.model, pathOf(i), balls.mass[i], t);
 }
 
 void ExactFlight::bookHold(std::uint32_t i, const BallState& before, const Balls& balls) {
-  if (ledger_ && path_[i].motion != Motion::Flying)
-    wells::bookHold(ledger_, before, path_[i], balls.mass[i]);
+  if (ledger_ && pathOf(i).motion != Motion::Flying)
+    wells::bookHold(ledger_, before, pathOf(i), balls.mass[i]);
 }
 
 void ExactFlight::foreseeEndOfMotion(const StepInput& in, std::uint32_t ball) {
-  end_[ball] = dt_;
-  if (path_[ball].motion == Motion::Flying) return;
-  const double end = endOfMotion(in.model, path_[ball], dt_);
+  of(ball).end = dt_;
+  if (pathOf(ball).motion == Motion::Flying) return;
+  const double end = endOfMotion(in.model, pathOf(ball), dt_);
   if (end >= dt_) return;
-  end_[ball] = end;
-  add({end, kEndOfMotion, ball, version_[ball], 0});
+  of(ball).end = end;
+  add({end, kEndOfMotion, ball, of(ball).version, 0});
 }
 
 void ExactFlight::add(const Event& event) {
@@ -262,36 +229,37 @@ void ExactFlight::add(const Event& event) {
 bool ExactFlight::foresee(const StepInput& in, std::span<const BallPair> pairs, std::uint32_t p) {
   const BallPair& pair = pairs[p];
   if (stayApart(in, pair)) return true;
-  const Path& a = path_[pair.a];
+  const Path& a = pathOf(pair.a);
   // Where a motion ends, its pairs are looked at again.
-  double until = end_[pair.a];
+  double until = of(pair.a).end;
   Encounter next;
   std::uint32_t versionB = 0;
   if (isBall(pair.b)) {
-    const Path& b = path_[pair.b];
-    versionB = version_[pair.b];
-    until = std::min(until, end_[pair.b]);
+    const Path& b = pathOf(pair.b);
+    versionB = of(pair.b).version;
+    until = std::min(until, of(pair.b).end);
     next = encounterOfBalls(in.model, a, b, std::max(a.start, b.start), until);
   } else {
     next = encounterWithArena(in.model, a, pair.b, a.start, until);
   }
   if (next.meeting == Meeting::Sustained) return false;
-  if (next.meeting == Meeting::Impact) add({next.time, p, pair.a, version_[pair.a], versionB});
+  if (next.meeting == Meeting::Impact) add({next.time, p, pair.a, of(pair.a).version, versionB});
   return true;
 }
 
 bool ExactFlight::foreseeCluster(const StepInput& in, std::span<const BallPair> pairs) {
   for (const std::uint32_t i : clusterBalls_) foreseeEndOfMotion(in, i);
   for (const std::uint32_t i : clusterBalls_) {
-    for (std::uint32_t k = 0; k < pairCount_[i]; ++k) {
-      const std::uint32_t p = pairsOf_[firstPair_[i] + k];
+    for (std::uint32_t k = 0; k < of(i).pairCount; ++k) {
+      const std::uint32_t p = pairsOf_[of(i).firstPair + k];
       if (inCluster_[p]) continue;  // foreseen from its other ball
       inCluster_[p] = 1;
       if (!foresee(in, pairs, p)) return false;
     }
   }
   for (const std::uint32_t i : clusterBalls_)
-    for (std::uint32_t k = 0; k < pairCount_[i]; ++k) inCluster_[pairsOf_[firstPair_[i] + k]] = 0;
+    for (std::uint32_t k = 0; k < of(i).pairCount; ++k)
+      inCluster_[pairsOf_[of(i).firstPair + k]] = 0;
   return true;
 }
 
@@ -300,10 +268,10 @@ bool ExactFlight::later(const Event& x, const Event& y) {
 }
 
 bool ExactFlight::isOutdated(std::span<const BallPair> pairs, const Event& event) const {
-  if (event.versionA != version_[event.ball]) return true;
+  if (event.versionA != of(event.ball).version) return true;
   if (event.pair == kEndOfMotion) return false;
   const std::uint32_t b = pairs[event.pair].b;
-  return isBall(b) && event.versionB != version_[b];
+  return isBall(b) && event.versionB != of(b).version;
 }
 
 // The event's pair, and whatever touches one of its balls at that time, and so on.
@@ -312,23 +280,23 @@ void ExactFlight::gatherCluster(const StepInput& in, std::span<const BallPair> p
   const Arena& arena = *in.model.arena;
   cluster_.clear();
   clusterBalls_.clear();
-  const auto isHere = [&](std::uint32_t i) { return isInCluster_[i] != 0; };
+  const auto isHere = [&](std::uint32_t i) { return of(i).isInCluster; };
   const auto bring = [&](std::uint32_t i, const BallState& state) {
     balls.setState(i, state);
     clusterBalls_.push_back(i);
-    isInCluster_[i] = 1;
+    of(i).isInCluster = true;
   };
   const auto include = [&](std::uint32_t p) {
     const auto [a, b] = pairs[p];
     inCluster_[p] = 1;
     cluster_.push_back({.a = a, .b = b});
     if (isBall(b) && !isHere(a) && !isHere(b)) {
-      const auto [stateA, stateB] = statesAt(in.model, path_[a], path_[b], event.time);
+      const auto [stateA, stateB] = statesAt(in.model, pathOf(a), pathOf(b), event.time);
       bring(a, stateA);
       bring(b, stateB);
     }
     for (const std::uint32_t i : {a, b})
-      if (isBall(i) && !isHere(i)) bring(i, stateAt(in.model, path_[i], event.time));
+      if (isBall(i) && !isHere(i)) bring(i, stateAt(in.model, pathOf(i), event.time));
     touch(arena, balls, cluster_.back());
   };
   include(event.pair);
@@ -336,15 +304,15 @@ void ExactFlight::gatherCluster(const StepInput& in, std::span<const BallPair> p
     const std::uint32_t i = clusterBalls_[n];
     const Vec3 at = balls.position[i];
     const double touching = kTouchingGap * (length(at) + length(arena.center) + arena.radius);
-    for (std::uint32_t k = 0; k < pairCount_[i]; ++k) {
-      const std::uint32_t p = pairsOf_[firstPair_[i] + k];
+    for (std::uint32_t k = 0; k < of(i).pairCount; ++k) {
+      const std::uint32_t p = pairsOf_[of(i).firstPair + k];
       if (inCluster_[p]) continue;
       const std::uint32_t other = pairs[p].a == i ? pairs[p].b : pairs[p].a;
       if (isBall(other) && !isHere(other)) {
-        if (path_[other].motion == Motion::Flying &&
+        if (pathOf(other).motion == Motion::Flying &&
             leastGap(in.model, flyer(other), event.time, at, balls.radius[i]) > 2 * touching)
           continue;
-        balls.setState(other, stateAt(in.model, path_[other], event.time));
+        balls.setState(other, stateAt(in.model, pathOf(other), event.time));
       }
       Contact now{.a = pairs[p].a, .b = pairs[p].b};
       touch(arena, balls, now);
@@ -352,8 +320,9 @@ void ExactFlight::gatherCluster(const StepInput& in, std::span<const BallPair> p
     }
   }
   for (const std::uint32_t i : clusterBalls_) {
-    for (std::uint32_t k = 0; k < pairCount_[i]; ++k) inCluster_[pairsOf_[firstPair_[i] + k]] = 0;
-    isInCluster_[i] = 0;
+    for (std::uint32_t k = 0; k < of(i).pairCount; ++k)
+      inCluster_[pairsOf_[of(i).firstPair + k]] = 0;
+    of(i).isInCluster = false;
   }
 }
 
@@ -361,10 +330,10 @@ double ExactFlight::pressingBound(const StepInput& in, double time, const Contac
                                   const Balls& balls) const {
   const double substep = dt_ / in.settings.substeps;
   if (isBall(c.b))
-    return approachBound(in.model, path_[c.a], balls.state(c.a), path_[c.b], balls.state(c.b), time,
-                         substep);
+    return approachBound(in.model, pathOf(c.a), balls.state(c.a), pathOf(c.b), balls.state(c.b),
+                         time, substep);
   return length(in.settings.gravity) +
-         accelerationBound(in.model, path_[c.a], balls.state(c.a), time, substep);
+         accelerationBound(in.model, pathOf(c.a), balls.state(c.a), time, substep);
 }
 
 bool ExactFlight::mayBePressed(const StepInput& in, double time, const Balls& balls) const {
@@ -391,7 +360,7 @@ void ExactFlight::checkReach(const StepInput& in, std::uint32_t ball, double t, 
           ? (length(now.velocity) + length(acceleration(*in.model.field, now.position, t)) * left) *
                 left
           : 0;
-  const double moved = length(now.position - start_[ball].position) + ahead;
+  const double moved = length(now.position - of(ball).start.position) + ahead;
   if (!(moved > reach[ball])) return;  // what is not finite has no reach
   reach[ball] = 2 * moved;
   anyTooFar_ = true;

@@ -94,14 +94,34 @@ class ExactFlight {
   };
   static constexpr std::uint32_t kEndOfMotion = 0xffffffff;
 
+  /// A ball beside its path.
+  struct Flown {
+    double pull;  // m/s^2, bound on that of wells and drag along the path, in flight
+    double end;   // s, of its path; at most dt_
+    BallState start;
+    std::uint32_t version;  // rises at each event of the ball
+    std::uint32_t firstPair;
+    std::uint32_t pairCount;
+    bool isInCluster = false;
+  };
+
   static bool later(const Event& x, const Event& y);
 
   /// Ball i is on this path from now on.
   void set(const StepInput& in, std::uint32_t i, const Path& path);
-  Flyer flyer(std::uint32_t i) const { return {&path_[i], pull_[i]}; }
+  /// For balls of the island.
+  Path& pathOf(std::uint32_t i) { return path_[place_[i]]; }
+  const Path& pathOf(std::uint32_t i) const { return path_[place_[i]]; }
+  Flown& of(std::uint32_t i) { return flown_[place_[i]]; }
+  const Flown& of(std::uint32_t i) const { return flown_[place_[i]]; }
+  Flyer flyer(std::uint32_t i) const { return {&pathOf(i), of(i).pull}; }
   /// True where it is certain without following paths that the pair does not meet by the end of the
   /// step, as its balls move now.
   bool stayApart(const StepInput& in, const BallPair& pair) const;
+  IslandFate tryStep(const StepInput& in, std::span<const std::uint32_t> island,
+                     std::span<const BallPair> pairs, std::span<double> reach, Balls& balls);
+  /// Whoever goes on with a large island needs room, too.
+  void giveRoomBack();
   /// As if all were in flight.
   void begin(const StepInput& in, std::span<const std::uint32_t> island, const Balls& balls);
   /// Looks who is held, and lists the pairs of each ball.
@@ -155,22 +175,17 @@ class ExactFlight {
   void checkReach(const StepInput& in, std::uint32_t ball, double t, const Balls& balls,
                   std::span<double> reach);
 
-  // By ball, sized for the world; only those of the island are valid.
+  std::vector<std::uint32_t> place_;  // by ball of the world, in the island; of no others valid
+  // By place in the island, with room for the largest so far.
   std::vector<Path> path_;
-  std::vector<double> pull_;  // m/s^2, bound on that of wells and drag along the path, in flight
-  std::vector<BallState> start_;
-  std::vector<double> end_;             // s, of its path; at most dt_
-  std::vector<std::uint32_t> version_;  // rises at each event of the ball
-  std::vector<std::uint32_t> firstPair_;
-  std::vector<std::uint32_t> pairCount_;
+  std::vector<Flown> flown_;
   // By island.
   std::vector<std::uint32_t> pairsOf_;
   std::vector<Event> events_;  // heap, earliest first
   std::vector<Contact> cluster_;
   std::vector<std::uint32_t> clusterBalls_;
-  std::vector<std::uint32_t> flying_;      // at the end of the step
-  std::vector<std::uint8_t> inCluster_;    // by pair of the island
-  std::vector<std::uint8_t> isInCluster_;  // by ball
+  std::vector<std::uint32_t> flying_;    // at the end of the step
+  std::vector<std::uint8_t> inCluster_;  // by pair of the island
   ExactCounts counts_;
   bool keepsBooks_ = false;
   Books books_;

@@ -85,7 +85,7 @@ void Sleep::wakeAll(const World& world, ContactMemory& memory) {
   position_.resize(size);
   acceleration_.resize(size);
   isGhost_.resize(size);
-  makeRoom(size);
+  if (world.settings.sleepSpeed > 0) makeRoom(size);
   awake_.resize(size);
   std::iota(awake_.begin(), awake_.end(), 0u);
 }
